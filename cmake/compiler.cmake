@@ -1,0 +1,14 @@
+# One set of compiler flags for every target. Floating point is fixed once: no contraction, no
+# fast-math, so that the same scene gives the same bits in every build (docs/architecture.md).
+# -fno-math-errno and -fno-trapping-math change no result; they let loops with sqrt vectorise.
+add_library(weft_flags INTERFACE)
+target_compile_features(weft_flags INTERFACE cxx_std_20)
+target_compile_options(weft_flags INTERFACE
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+    -ffp-contract=off -fno-math-errno -fno-trapping-math
+    $<$<CONFIG:Release>:-O3>)
+if(WEFT_SANITIZE)
+    target_compile_options(weft_flags INTERFACE
+        -fsanitize=${WEFT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    target_link_options(weft_flags INTERFACE -fsanitize=${WEFT_SANITIZE})
+endif()
