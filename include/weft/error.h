@@ -16,10 +16,10 @@ enum class ErrorKind {
 
 /// Where it went wrong; a part that does not apply is empty or zero.
 struct ErrorPlace {
-    std::string file;    ///< path as the user gave it
+    std::string file{};  ///< path as the user gave it
     int line = 0;        ///< from 1; 0 where there is none
     int column = 0;      ///< from 1; 0 where there is none
-    std::string key;     ///< scene key in dotted form, e.g. "cloth.resolution"
+    std::string key{};   ///< scene key in dotted form, e.g. "cloth.resolution"
 };
 
 /// An error with its place. what() is one line,

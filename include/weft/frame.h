@@ -43,4 +43,14 @@ struct Frame {
 void compute_normals(const Surface& surface, std::span<const Vec3d> positions,
                      std::span<Vec3f> normals);
 
+/// Storage of one frame, reused from frame to frame.
+struct FrameBuffer {
+    std::size_t index = 0;
+    double time = 0.0;                                       ///< [s]
+    std::vector<Vec3d> positions, velocities;                ///< [particle], [m], [m/s]
+    std::vector<Vec3f> normals;                              ///< [particle]
+
+    [[nodiscard]] Frame view() const { return {index, time, positions, velocities, normals}; }
+};
+
 }  // namespace weft

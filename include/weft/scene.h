@@ -50,6 +50,9 @@ struct Mesh {
     std::vector<Vec3d> positions;                   ///< [vertex], [m]
     std::vector<std::array<float, 2>> uvs;          ///< v upward; may be empty
     std::vector<Face> faces;
+    /// [face] the polygon of the file it was cut from, from 0; empty: every face is its own.
+    std::vector<std::uint32_t> source_faces;
+    int first_number = 1;                           ///< of vertices and faces in messages
 };
 
 struct ClothDescription {
@@ -70,9 +73,9 @@ struct MaterialDescription {
     double mass_per_area = 0.12;                    ///< [kg/m2]
     std::optional<double> particle_mass;            ///< [kg]; given, it replaces mass_per_area
     StiffnessPer stiffness_per = StiffnessPer::width;
-    SpringMaterial structural{120.0, 0.01};
+    SpringMaterial structural{120.0, 0.012};
     SpringMaterial shear{40.0, 0.004};
-    SpringMaterial bend{1.0, 0.0002};
+    SpringMaterial bend{1.0, 0.0001};
     BendLayout bend_layout = BendLayout::interior;
 };
 

@@ -1,0 +1,49 @@
+// The commands of weft, one function each: what to do with the options once they are parsed.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "weft/scene.h"
+
+namespace weft {
+
+/// Exit statuses of the command.
+enum ExitStatus {
+    exit_done = 0,
+    exit_diverged = 1,
+    exit_usage = 2,
+    exit_file = 3,
+    exit_interrupted = 130
+};
+
+/// Options that commands share.
+struct SceneOptions {
+    std::string scene;                  ///< path, or name of a shipped scene
+    std::vector<std::string> set;       ///< "KEY=VALUE"
+    std::optional<std::size_t> frames;  ///< to simulate
+    int threads = 0;                    ///< 0: all
+    bool quiet = false, json = false;
+};
+
+struct RunOptions : SceneOptions {
+    std::string directory;  ///< empty: weft-out/NAME
+};
+
+struct RenderOptions : SceneOptions {
+    std::string file;
+    std::optional<std::size_t> frame;  ///< for a single picture
+};
+
+int run_command(const RunOptions& options);
+int render_command(const RenderOptions& options);
+int check_command(const SceneOptions& options);
+/// @param what "integrators", "fabrics", "scenes", "formats", "experiments" or "keys"
+int list_command(const std::string& what, bool json);
+
+/// Reads the scene with the options' overrides and frames applied.
+SceneDescription load_scene(const SceneOptions& options);
+
+}  // namespace weft

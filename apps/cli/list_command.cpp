@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "io/scene_keys.h"
+#include "weft/error.h"
+#include "weft/integrators.h"
+#include "weft/recorder.h"
+
+namespace weft {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void list_integrators(bool json) {
+    Json rows = Json::array();
+    if (!json) {
+        fmt::print("{:<22} {:>5} {:>6} {:>5} {:>10} {:>8}  {}\n", "name", "order", "damped",
+                   "evals", "symplectic", "limit", "update");
+    }
+    for (const IntegratorInfo& info : integrator_catalogue()) {
+        rows.push_back({{"name", info.name},
+                        {"order", info.order},
+                        {"damped_order", info.damped_order},
+                        {"evaluations", info.evaluations},
+                        {"symplectic", info.symplectic},
+                        {"imaginary_limit", info.imaginary_limit},
+                        {"formula", info.formula},
+                        {"reference", info.reference}});
+        if (json) continue;
+        fmt::print("{:<22} {:>5} {:>6} {:>5} {:>10} {:>8.4g}  {}\n", info.name, info.order,
+                   info.damped_order, info.evaluations, info.symplectic ? "yes" : "no",
+                   info.imaginary_limit, info.formula);
+        fmt::print("{:62}{}\n", "", info.reference);
+    }
+    if (json) {
+        fmt::print("{}\n", Json{{"integrators", rows}}.dump(2));
+    } else {
+        fmt::print(
+            "order: of the global error; damped: the same where forces depend on velocity;\n"
+            "evals: force evaluations a step; limit: stable up to dt * omega, undamped.\n");
+    }
+}
+
+void list_fabrics(bool json) {
+    Json rows = Json::array();
+    if (!json) {
+        fmt::print("{:<10} {:>9} {:>11} {:>9} {:>9}  {}\n", "name", "kg/m2", "structural", "shear",
+                   "bend", "");
+    }
+    for (const FabricInfo& fabric : fabric_catalogue()) {
+        const auto spring = [](const SpringMaterial& material) {
+            return Json{{"stiffness", material.stiffness}, {"damping", material.damping}};
+        };
+        rows.push_back({{"name", fabric.name},
+                        {"description", fabric.description},
+                        {"mass_per_area", fabric.mass_per_area},
+                        {"stiffness_per", "width"},
+                        {"structural", spring(fabric.structural)},
+                        {"shear", spring(fabric.shear)},
+                        {"bend", spring(fabric.bend)}});
+        if (json) continue;
+        fmt::print("{:<10} {:>9.4g} {:>11.4g} {:>9.4g} {:>9.4g}  {}\n", fabric.name,
+                   fabric.mass_per_area, fabric.structural.stiffness, fabric.shear.stiffness,
+                   fabric.bend.stiffness, fabric.description);
+    }
+    if (json) {
+        fmt::print("{}\n", Json{{"fabrics", rows}}.dump(2));
+    } else {
+        fmt::print("stiffness per width [N/m]\n");
+    }
+}
+
+void list_scenes(bool json) {
+    Json rows = Json::array();
+    for (const ShippedScene& scene : shipped_scenes()) {
+        rows.push_back(
+            {{"name", scene.name}, {"title", scene.title}, {"path", scene.path.string()}});
+        if (!json) fmt::print("{:<12} {:<44} {}\n", scene.name, scene.title, scene.path.string());
+    }
+    if (json) fmt::print("{}\n", Json{{"scenes", rows}}.dump(2));
+}
+
+void list_formats(bool json) {
+    Json rows = Json::array();
+    for (const FormatInfo& format : format_catalogue()) {
+        rows.push_back(
+            {{"name", format.name}, {"files", format.files}, {"description", format.description}});
+        if (!json) {
+            fmt::print("{:<6} {}\n       writes {}\n", format.name, format.description,
+                       format.files);
+        }
+    }
+    if (json) fmt::print("{}\n", Json{{"formats", rows}}.dump(2));
+}
+
+void list_keys(bool json) {
+    Json rows = Json::array();
+    for (const SceneKey& key : scene_keys()) {
+        rows.push_back({{"key", key.key},
+                        {"type", type_name(key)},
+                        {"unit", key.unit},
+                        {"default", key.fallback},
+                        {"allowed", key.allowed},
+                        {"meaning", key.meaning}});
+    }
+    if (json) {
+        fmt::print("{}\n", Json{{"keys", rows}}.dump(2));
+    } else {
+        fmt::print("{}", scene_keys_markdown());
+    }
+}
+
+struct List {
+    std::string_view name;
+    void (*print)(bool json);
+};
+constexpr std::array<List, 5> lists{{{"integrators", list_integrators},
+                                     {"fabrics", list_fabrics},
+                                     {"scenes", list_scenes},
+                                     {"formats", list_formats},
+                                     {"keys", list_keys}}};
+
+}  // namespace
+
+int list_command(const std::string& what, bool json) {
+    for (const List& list : lists) {
+        if (list.name != what) continue;
+        list.print(json);
+        return exit_done;
+    }
+    throw Error(
+        ErrorKind::usage, {},
+        fmt::format("\"{}\" cannot be listed: integrators, fabrics, scenes, formats or keys "
+                    "can",
+                    what));
+}
+
+}  // namespace weft

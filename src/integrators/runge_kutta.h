@@ -1,0 +1,50 @@
+// Explicit Runge-Kutta methods: Butcher tables, and one stepper that runs them.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <span>
+
+#include "integrators/integrator.h"
+
+namespace weft {
+
+/// An explicit Runge-Kutta method: stage i is at t + c_i h, from the stages j < i with weights
+/// a_ij; the step ends with weights b.
+struct ButcherTable {
+    static constexpr int max_stages = 4;
+    int stages = 0;
+    std::array<std::array<double, max_stages>, max_stages> a{};
+    std::array<double, max_stages> b{}, c{};
+};
+
+extern const ButcherTable forward_euler_table, midpoint_table, kutta3_table, classical4_table;
+
+/// R(z) = 1 + z b^T (I - z A)^-1 1, the growth per step on y' = lambda y with z = h lambda.
+std::complex<double> stability_function(const ButcherTable& table, std::complex<double> z);
+
+/// Runs a table on (x, v)' = (v, a(t, x, v)). Since the stage slope of x is the stage's v, only the
+/// accelerations a_j are kept:
+///     V_i = v + h sum a_ij a_j,     X_i = x + h c_i v + h^2 sum (A^2)_ij a_j,
+/// the same method with half the memory.
+template <typename Real>
+class RungeKutta final : public Integrator<Real> {
+public:
+    explicit RungeKutta(const ButcherTable& table);
+    void prepare(std::size_t particle_count) override;
+    void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
+
+private:
+    using Weights = std::array<double, ButcherTable::max_stages>;
+    // out_x = x + h c v + h^2 sum xw_j a_j,  out_v = v + h sum vw_j a_j
+    void combine(const ParticleState<Real>& state, double h, double c, const Weights& x_weights,
+                 const Weights& v_weights, Vec3Array<Real>& out_x, Vec3Array<Real>& out_v) const;
+
+    ButcherTable table_;
+    std::array<Weights, ButcherTable::max_stages> a_squared_{};
+    Weights b_a_{};  // b^T A
+    Vec3Array<Real> stage_x_, stage_v_;
+    std::array<Vec3Array<Real>, ButcherTable::max_stages> slopes_;
+};
+
+}  // namespace weft

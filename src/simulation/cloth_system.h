@@ -1,0 +1,57 @@
+// The cloth as a second-order system: a(t, x, v) from all forces, and the pins.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cloth/cloth_model.h"
+#include "forces/grid_air.h"
+#include "forces/grid_springs.h"
+#include "forces/mesh_air.h"
+#include "forces/mesh_springs.h"
+#include "integrators/dynamics_system.h"
+#include "weft/measures.h"
+
+namespace weft {
+
+template <typename Real>
+class ClothSystem final : public DynamicsSystem<Real> {
+public:
+    /// @param cloth outlives the system.
+    ClothSystem(const ClothModel& cloth, const SceneDescription& scene);
+
+    [[nodiscard]] std::size_t particle_count() const override { return cloth_.particle_count; }
+    void acceleration(double t, ConstVec3View<Real> x, ConstVec3View<Real> v,
+                      Vec3View<Real> a) override;
+    void constrain(double t, Vec3View<Real> x, Vec3View<Real> v) const override;
+
+    /// Multiplies every particle's vector by M^-1/2, which is zero for pinned ones.
+    void scale_by_root_inverse_mass(Vec3View<Real> u) const;
+
+    /// Rates of work of what has no energy [W], in the fields of Work.
+    Work power(double t, ConstVec3View<Real> x, ConstVec3View<Real> v);
+
+private:
+    // f = everything but gravity: -c v, springs, air; on rows of a grid or particles of a mesh.
+    void add_forces(Vec3<Real> wind, ConstVec3View<Real> x, ConstVec3View<Real> v, Vec3View<Real> f,
+                    std::size_t begin, std::size_t end) const;
+    template <typename Finish>
+    void forces(double t, ConstVec3View<Real> x, ConstVec3View<Real> v, Vec3View<Real> f,
+                const Finish& finish);
+    double pin_power(double t, ConstVec3View<Real> f) const;
+
+    const ClothModel& cloth_;
+    ForcesDescription description_;
+    std::optional<WindDescription> wind_;
+    std::vector<Real> inverse_masses_;  ///< [particle], 0: pinned [1/kg]
+    std::optional<GridSprings<Real>> grid_springs_;
+    std::optional<MeshSprings<Real>> mesh_springs_;
+    std::optional<GridAir<Real>> grid_air_;
+    std::optional<MeshAir<Real>> mesh_air_;
+    Vec3Array<Real> forces_;  ///< for power() with moving pins or air only
+};
+
+extern template class ClothSystem<float>;
+extern template class ClothSystem<double>;
+
+}  // namespace weft

@@ -1,0 +1,22 @@
+// Finding out that, where and when a run diverged.
+#pragma once
+
+#include <optional>
+
+#include "cloth/cloth_model.h"
+#include "cloth/particle_state.h"
+#include "weft/simulation.h"
+
+namespace weft {
+
+/// @return what is wrong with the state (spring or particle filled in, message not yet), if
+/// anything.
+template <typename Real>
+std::optional<Divergence> find_divergence(const ClothModel& cloth,
+                                          const ParticleState<Real>& state);
+
+/// Fills in message and advice.
+void describe_divergence(Divergence& divergence, const ClothModel& cloth,
+                         const SceneDescription& scene);
+
+}  // namespace weft

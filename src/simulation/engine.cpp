@@ -1,0 +1,294 @@
+#include "simulation/engine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "forces/energy.h"
+#include "integrators/integrator.h"
+#include "math/random.h"
+#include "simulation/divergence.h"
+#include "simulation/stability.h"
+#include "weft/error.h"
+#include "weft/integrators.h"
+
+namespace weft {
+
+namespace {
+
+constexpr double auto_fraction = 0.9;  // of the stable step
+constexpr int max_halvings = 12;       // of the step, over a run
+constexpr std::size_t frames_between_estimates = 8;
+constexpr int products_per_estimate = 3;
+
+// Smallest whole number of steps in a frame that keeps each at most dt; a step that fits a whole
+// number of times but for rounding is taken at that number.
+std::size_t steps_for(double frame_length, double dt) {
+    const double steps = std::ceil(frame_length / dt * (1.0 - 1e-12));
+    return static_cast<std::size_t>(std::clamp(steps, 1.0, 1e12));
+}
+
+Work operator+(const Work& a, const Work& b) {
+    return {a.dashpots + b.dashpots, a.drag + b.drag, a.air + b.air, a.pins + b.pins};
+}
+
+Work operator*(double s, const Work& a) {
+    return {s * a.dashpots, s * a.drag, s * a.air, s * a.pins};
+}
+
+template <typename Real>
+class ClothEngine final : public Engine {
+public:
+    ClothEngine(const ClothModel& cloth, const SceneDescription& scene);
+
+    FrameReport advance_frame() override;
+    void capture(FrameBuffer& buffer) const override;
+    void set_state(std::span<const Vec3d> x, std::span<const Vec3d> v) override;
+
+    [[nodiscard]] LinearAnalysis linear_analysis() const override;
+    [[nodiscard]] double stable_step(std::string_view method) const override {
+        return modes_.stable_step(method);
+    }
+    [[nodiscard]] std::size_t frame() const override { return frame_; }
+    [[nodiscard]] double time() const override { return state_.time; }
+    [[nodiscard]] std::size_t step_count() const override { return step_count_; }
+    [[nodiscard]] std::size_t steps_per_frame() const override { return steps_per_frame_; }
+    [[nodiscard]] Energy energy() const override {
+        return weft::energy(cloth_, scene_.forces, state_.x.view(), state_.v.view());
+    }
+    [[nodiscard]] Work work() const override { return work_; }
+    [[nodiscard]] SpringStrain largest_strain() const override {
+        return weft::largest_strain(cloth_, state_.x.view());
+    }
+    [[nodiscard]] std::uint64_t state_hash() const override;
+
+private:
+    using History = typename Integrator<Real>::History;
+
+    [[nodiscard]] double frame_length() const { return 1.0 / scene_.output.frames_per_second; }
+    [[nodiscard]] double frame_time(std::size_t frame) const {
+        return static_cast<double>(frame) / scene_.output.frames_per_second;
+    }
+    [[nodiscard]] bool is_auto() const { return !scene_.integrator.time_step.has_value(); }
+    [[nodiscard]] std::size_t auto_steps() const;
+    void keep_stable();
+    void run_steps(std::size_t count, std::size_t steps_per_frame);
+    void save();
+    void go_back();
+    Divergence trace_divergence(std::size_t steps_per_frame);
+
+    const ClothModel& cloth_;
+    const SceneDescription& scene_;
+    ClothSystem<Real> system_;
+    std::unique_ptr<Integrator<Real>> integrator_;
+    ParticleState<Real> state_;
+    StabilityModes modes_;
+    Vec3Array<Real> fastest_mode_;
+    std::size_t frame_ = 0, step_count_ = 0, steps_per_frame_ = 1;
+    int halvings_ = 0;
+    Work work_, last_power_;
+    bool power_known_ = false;
+    struct {
+        ParticleState<Real> state;
+        History history;
+        Work work;
+    } good_;  // the last frame that was
+};
+
+template <typename Real>
+ClothEngine<Real>::ClothEngine(const ClothModel& cloth, const SceneDescription& scene)
+    : cloth_(cloth),
+      scene_(scene),
+      system_(cloth, scene),
+      integrator_(make_integrator<Real>(scene.integrator.method)) {
+    state_.x = Vec3Array<Real>(cloth.particle_count);
+    state_.v = Vec3Array<Real>(cloth.particle_count);
+    for (std::size_t p = 0; p < cloth.particle_count; ++p) {
+        state_.x.set(p, vec3_cast<Real>(cloth.rest_position(p)));
+    }
+    system_.constrain(0.0, state_.x.view(), state_.v.view());
+    modes_ = stability_modes(cloth, scene.forces, system_, std::as_const(state_.x).view(),
+                             fastest_mode_);
+    if (!is_auto()) fastest_mode_ = {};
+    steps_per_frame_ =
+        is_auto() ? auto_steps() : steps_for(frame_length(), *scene.integrator.time_step);
+    integrator_->prepare(cloth.particle_count);
+    save();
+}
+
+template <typename Real>
+std::size_t ClothEngine<Real>::auto_steps() const {
+    const double limit = modes_.stable_step(scene_.integrator.method);
+    if (limit <= 0.0) {
+        throw scene_error("integrator.time_step", "\"auto\"",
+                          fmt::format("{} is stable at no step on this undamped cloth: give a step "
+                                      "in seconds, damping, or another method",
+                                      scene_.integrator.method));
+    }
+    return steps_for(frame_length(), auto_fraction * limit);
+}
+
+template <typename Real>
+LinearAnalysis ClothEngine<Real>::linear_analysis() const {
+    const Mode& fastest = modes_.modes.front();
+    return {fastest.omega,
+            fastest.omega > 0.0 ? fastest.damping_rate / (2.0 * fastest.omega) : 0.0};
+}
+
+// Under "auto", follows the largest frequency while the cloth stretches, and refines the step.
+template <typename Real>
+void ClothEngine<Real>::keep_stable() {
+    if (!is_auto() || frame_ == 0 || frame_ % frames_between_estimates != 0) return;
+    const double squared = follow_largest_stiffness(cloth_, system_, std::as_const(state_.x).view(),
+                                                    fastest_mode_, products_per_estimate);
+    Mode& fastest = modes_.modes.front();
+    if (!(squared > fastest.omega * fastest.omega)) return;
+    fastest.omega = std::sqrt(squared);
+    steps_per_frame_ = std::max(steps_per_frame_, auto_steps());
+}
+
+template <typename Real>
+void ClothEngine<Real>::run_steps(std::size_t count, std::size_t steps_per_frame) {
+    const double dt = frame_length() / static_cast<double>(steps_per_frame);
+    const bool balance = scene_.output.energy_balance;
+    const auto power = [&] {
+        return system_.power(state_.time, std::as_const(state_.x).view(),
+                             std::as_const(state_.v).view());
+    };
+    if (balance && !power_known_) last_power_ = power();
+    power_known_ = balance;
+    for (std::size_t n = 1; n <= count; ++n) {
+        integrator_->step(system_, dt, state_);
+        // From the frame's number, so that rounding does not add up over a long run.
+        state_.time = n == steps_per_frame ? frame_time(frame_ + 1)
+                                           : frame_time(frame_) + static_cast<double>(n) * dt;
+        if (balance) {
+            const Work now = power();
+            work_ = work_ + 0.5 * dt * (last_power_ + now);
+            last_power_ = now;
+        }
+    }
+}
+
+template <typename Real>
+void ClothEngine<Real>::save() {
+    good_.state.x = state_.x;
+    good_.state.v = state_.v;
+    good_.state.time = state_.time;
+    integrator_->save(good_.history);
+    good_.work = work_;
+}
+
+template <typename Real>
+void ClothEngine<Real>::go_back() {
+    state_.x = good_.state.x;
+    state_.v = good_.state.v;
+    state_.time = good_.state.time;
+    integrator_->restore(good_.history);
+    work_ = good_.work;
+    power_known_ = false;
+}
+
+// Runs the failed frame once more from its start, looking after every step.
+template <typename Real>
+Divergence ClothEngine<Real>::trace_divergence(std::size_t steps_per_frame) {
+    const double dt = frame_length() / static_cast<double>(steps_per_frame);
+    std::optional<Divergence> found;
+    std::size_t step = 0;
+    go_back();
+    while (!found && step < steps_per_frame) {
+        integrator_->step(system_, dt, state_);
+        ++step;
+        state_.time = frame_time(frame_) + static_cast<double>(step) * dt;
+        found = find_divergence(cloth_, state_);
+    }
+    found->step = step_count_ + step;
+    found->time = state_.time;
+    found->time_step = dt;
+    found->stable_step = modes_.stable_step(scene_.integrator.method);
+    describe_divergence(*found, cloth_, scene_);
+    go_back();
+    return *found;
+}
+
+template <typename Real>
+FrameReport ClothEngine<Real>::advance_frame() {
+    keep_stable();
+    FrameReport report;
+    while (true) {
+        run_steps(steps_per_frame_, steps_per_frame_);
+        report.steps = steps_per_frame_;
+        report.time_step = frame_length() / static_cast<double>(steps_per_frame_);
+        if (!find_divergence(cloth_, state_)) break;
+        const bool may_halve =
+            is_auto() || scene_.integrator.on_divergence == OnDivergence::halve_step;
+        if (!may_halve || halvings_ == max_halvings) {
+            report.divergence = trace_divergence(steps_per_frame_);
+            return report;
+        }
+        go_back();
+        integrator_->restart();  // what it keeps belongs to the longer step
+        steps_per_frame_ *= 2;
+        ++halvings_;
+        ++report.halvings;
+    }
+    ++frame_;
+    step_count_ += report.steps;
+    save();
+    return report;
+}
+
+template <typename Real>
+void ClothEngine<Real>::capture(FrameBuffer& buffer) const {
+    buffer.index = frame_;
+    buffer.time = state_.time;
+    buffer.positions.resize(cloth_.particle_count);
+    buffer.velocities.resize(cloth_.particle_count);
+    buffer.normals.resize(cloth_.particle_count);
+    for (std::size_t p = 0; p < cloth_.particle_count; ++p) {
+        buffer.positions[p] = vec3_cast<double>(state_.x[p]);
+        buffer.velocities[p] = vec3_cast<double>(state_.v[p]);
+    }
+    compute_normals(cloth_.surface, buffer.positions, buffer.normals);
+}
+
+template <typename Real>
+void ClothEngine<Real>::set_state(std::span<const Vec3d> x, std::span<const Vec3d> v) {
+    for (std::size_t p = 0; p < cloth_.particle_count; ++p) {
+        state_.x.set(p, vec3_cast<Real>(x[p]));
+        state_.v.set(p, vec3_cast<Real>(v[p]));
+    }
+    system_.constrain(state_.time, state_.x.view(), state_.v.view());
+    integrator_->restart();
+    power_known_ = false;
+    save();
+}
+
+template <typename Real>
+std::uint64_t ClothEngine<Real>::state_hash() const {
+    using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+    std::uint64_t hash = cloth_.particle_count;
+    for (const Vec3Array<Real>* array : {&state_.x, &state_.v}) {
+        for (std::size_t p = 0; p < cloth_.particle_count; ++p) {
+            const Vec3<Real> value = (*array)[p];
+            for (const Real component : {value.x, value.y, value.z}) {
+                hash = mix_bits(hash ^ std::bit_cast<Bits>(component));
+            }
+        }
+    }
+    return hash;
+}
+
+}  // namespace
+
+template <typename Real>
+std::unique_ptr<Engine> make_engine(const ClothModel& cloth, const SceneDescription& scene) {
+    return std::make_unique<ClothEngine<Real>>(cloth, scene);
+}
+
+template std::unique_ptr<Engine> make_engine<float>(const ClothModel&, const SceneDescription&);
+template std::unique_ptr<Engine> make_engine<double>(const ClothModel&, const SceneDescription&);
+
+}  // namespace weft

@@ -1,0 +1,41 @@
+// A cloth in motion, in one precision: state, integrator, step control. Simulation hides it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "cloth/cloth_model.h"
+#include "weft/simulation.h"
+
+namespace weft {
+
+class Engine {
+public:
+    virtual ~Engine() = default;
+
+    virtual FrameReport advance_frame() = 0;
+    virtual void capture(FrameBuffer& buffer) const = 0;
+    virtual void set_state(std::span<const Vec3d> x, std::span<const Vec3d> v) = 0;
+
+    [[nodiscard]] virtual LinearAnalysis linear_analysis() const = 0;
+    [[nodiscard]] virtual double stable_step(std::string_view method) const = 0;
+    [[nodiscard]] virtual std::size_t frame() const = 0;
+    [[nodiscard]] virtual double time() const = 0;
+    [[nodiscard]] virtual std::size_t step_count() const = 0;
+    [[nodiscard]] virtual std::size_t steps_per_frame() const = 0;
+    [[nodiscard]] virtual Energy energy() const = 0;
+    [[nodiscard]] virtual Work work() const = 0;
+    [[nodiscard]] virtual SpringStrain largest_strain() const = 0;
+    [[nodiscard]] virtual std::uint64_t state_hash() const = 0;
+};
+
+/// @param cloth, scene outlive the engine.
+template <typename Real>
+std::unique_ptr<Engine> make_engine(const ClothModel& cloth, const SceneDescription& scene);
+
+extern template std::unique_ptr<Engine> make_engine<float>(const ClothModel&,
+                                                           const SceneDescription&);
+extern template std::unique_ptr<Engine> make_engine<double>(const ClothModel&,
+                                                            const SceneDescription&);
+
+}  // namespace weft

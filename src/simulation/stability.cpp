@@ -1,0 +1,130 @@
+#include "simulation/stability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "forces/linearised.h"
+#include "math/random.h"
+#include "weft/integrators.h"
+
+namespace weft {
+
+namespace {
+
+template <typename Real>
+void start_vector(Vec3Array<Real>& vector) {
+    const auto random = [](std::size_t p, std::uint64_t component) {
+        return static_cast<Real>(random_uniform(1, component, p) - 0.5);
+    };
+    for (std::size_t p = 0; p < vector.size(); ++p) {
+        vector.set(p, {random(p, 0), random(p, 1), random(p, 2)});
+    }
+}
+
+// product(in, out) in the symmetric form M^-1/2 A M^-1/2.
+template <typename Real, typename Product>
+auto mass_scaled(const ClothSystem<Real>& system, Vec3Array<Real>& scaled, const Product& product) {
+    return [&system, &scaled, product](const Vec3Array<Real>& in, Vec3Array<Real>& out) {
+        scaled = in;
+        system.scale_by_root_inverse_mass(scaled.view());
+        product(std::as_const(scaled).view(), out.view());
+        system.scale_by_root_inverse_mass(out.view());
+    };
+}
+
+double least_damping_per_stiffness(const ClothModel& cloth) {
+    double least = std::numeric_limits<double>::infinity();
+    cloth.for_each_spring([&](const Spring&, const SpringConstants& constants) {
+        if (constants.stiffness > 0.0) {
+            least = std::min(least, constants.damping / constants.stiffness);
+        }
+    });
+    return std::isfinite(least) ? least : 0.0;
+}
+
+}  // namespace
+
+double StabilityModes::stable_step(std::string_view method) const {
+    double step = std::numeric_limits<double>::infinity();
+    const auto limit_by = [&](const Mode& mode) {
+        if (mode.omega <= 0.0) return;
+        const double zeta = mode.damping_rate / (2.0 * mode.omega);
+        step = std::min(step, stability_limit(method, zeta) / mode.omega);
+    };
+    for (const Mode& mode : modes) limit_by(mode);
+    if (find_integrator(method)->imaginary_limit == 0.0) limit_by(least_damped);
+    return step;
+}
+
+template <typename Real>
+double follow_largest_stiffness(const ClothModel& cloth, const ClothSystem<Real>& system,
+                                ConstVec3View<Real> x, Vec3Array<Real>& vector, int products) {
+    Vec3Array<Real> scaled(cloth.particle_count), image(cloth.particle_count);
+    const auto stiffness = mass_scaled(
+        system, scaled,
+        [&](ConstVec3View<Real> in, Vec3View<Real> out) { stiffness_product(cloth, x, in, out); });
+    double value = 0.0;
+    for (int n = 0; n < products; ++n) value = power_step(stiffness, vector, image);
+    return value;
+}
+
+template <typename Real>
+StabilityModes stability_modes(const ClothModel& cloth, const ForcesDescription& forces,
+                               const ClothSystem<Real>& system, ConstVec3View<Real> x,
+                               Vec3Array<Real>& fastest_mode) {
+    constexpr double tolerance = 1e-6;
+    constexpr int max_products = 200;
+    Vec3Array<Real> scaled(cloth.particle_count), image(cloth.particle_count);
+    const auto damping =
+        mass_scaled(system, scaled, [&](ConstVec3View<Real> in, Vec3View<Real> out) {
+            damping_product(cloth, forces, x, in, out);
+        });
+    const auto stiffness = mass_scaled(
+        system, scaled,
+        [&](ConstVec3View<Real> in, Vec3View<Real> out) { stiffness_product(cloth, x, in, out); });
+    StabilityModes found;
+    LargestEigenvalue<Real> search(cloth.particle_count);
+    start_vector(search.vector());
+    system.scale_by_root_inverse_mass(search.vector().view());  // nothing on pinned particles
+    const double squared = search.iterate(stiffness, tolerance, max_products).value;
+    fastest_mode = search.vector();
+    damping(fastest_mode, image);
+    const Mode fastest{std::sqrt(std::max(squared, 0.0)), dot_product(fastest_mode, image)};
+    found.modes.push_back(fastest);
+
+    double lightest = 0.0, heaviest = 0.0;
+    for (std::size_t p = 0; p < cloth.particle_count; ++p) {
+        lightest = p == 0 ? cloth.masses[p] : std::min(lightest, cloth.masses[p]);
+        heaviest = std::max(heaviest, cloth.masses[p]);
+    }
+    found.least_damped = {fastest.omega,
+                          forces.damping / heaviest + least_damping_per_stiffness(cloth) * squared};
+    if (fastest.damping_rate > 0.0) {
+        start_vector(search.vector());
+        system.scale_by_root_inverse_mass(search.vector().view());
+        const double rate = search.iterate(damping, tolerance, max_products).value;
+        stiffness(search.vector(), image);
+        const double omega2 = std::max(dot_product(search.vector(), image), 0.0);
+        found.modes.push_back({std::max(std::sqrt(omega2), 1e-3 * rate), rate});
+    }
+    if (forces.damping > 0.0) {
+        // With almost no stiffness, as a cloth swings; its own decay is all that limits the step.
+        const double rate = forces.damping / lightest;
+        found.modes.push_back({std::max(1e-3 * fastest.omega, 1e-3 * rate), rate});
+    }
+    return found;
+}
+
+template double follow_largest_stiffness(const ClothModel&, const ClothSystem<float>&,
+                                         ConstVec3View<float>, Vec3Array<float>&, int);
+template double follow_largest_stiffness(const ClothModel&, const ClothSystem<double>&,
+                                         ConstVec3View<double>, Vec3Array<double>&, int);
+template StabilityModes stability_modes(const ClothModel&, const ForcesDescription&,
+                                        const ClothSystem<float>&, ConstVec3View<float>,
+                                        Vec3Array<float>&);
+template StabilityModes stability_modes(const ClothModel&, const ForcesDescription&,
+                                        const ClothSystem<double>&, ConstVec3View<double>,
+                                        Vec3Array<double>&);
+
+}  // namespace weft
