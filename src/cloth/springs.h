@@ -14,10 +14,10 @@ inline constexpr std::array<std::string_view, 3> spring_kind_names{"structural",
 /// stiffness per width K it is k = K * width_factor, where width_factor is the width of the strip
 /// that the spring stands for over its rest length (van Gelder 1998, k = E h A / L^2).
 struct Spring {
-    std::uint32_t p = 0, q = 0;       ///< particles, p < q
+    std::uint32_t p = 0, q = 0;  ///< particles, p < q
     SpringKind kind = SpringKind::structural;
-    double rest_length = 0.0;         ///< [m]
-    double width_factor = 1.0;        ///< [1]
+    double rest_length = 0.0;   ///< [m]
+    double width_factor = 1.0;  ///< [1]
 };
 
 }  // namespace weft

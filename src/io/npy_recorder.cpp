@@ -1,0 +1,82 @@
+// NumPy arrays. The head names the number of frames, so it is written once to keep its place and
+// again, equally long, at the end.
+#include "io/npy_recorder.h"
+
+#include <fmt/format.h>
+
+#include "io/byte_order.h"
+
+namespace weft {
+
+namespace {
+
+/// A multiple of 64 with room for any shape.
+constexpr std::size_t head_size = 128;
+
+Bytes npy_head(std::string_view element, const std::string& shape) {
+    std::string text =
+        fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", element, shape);
+    constexpr std::size_t before_text = 10;
+    text.resize(head_size - before_text - 1, ' ');
+    text += '\n';
+    Bytes head;
+    append_text(head, std::string_view("\x93NUMPY\x01\x00", 8));
+    append_little(head, static_cast<std::uint16_t>(text.size()));
+    append_text(head, text);
+    return head;
+}
+
+}  // namespace
+
+void NpyRecorder::begin(const RecordingPlan& plan) {
+    particles_ = plan.surface->particle_count;
+    precision_ = plan.precision;
+    positions_.emplace(plan.directory / (plan.stem + ".positions.npy"));
+    velocities_.emplace(plan.directory / (plan.stem + ".velocities.npy"));
+    times_.emplace(plan.directory / (plan.stem + ".times.npy"));
+    write_heads();
+}
+
+void NpyRecorder::write_heads() {
+    const std::string_view element = precision_ == Precision::f32 ? "<f4" : "<f8";
+    const std::string shape = fmt::format("{}, {}, 3", frames_, particles_);
+    positions_->write(npy_head(element, shape));
+    velocities_->write(npy_head(element, shape));
+    times_->write(npy_head("<f8", fmt::format("{},", frames_)));
+}
+
+void NpyRecorder::write_vectors(OutputFile& file, std::span<const Vec3d> vectors) const {
+    Bytes bytes;
+    if (precision_ == Precision::f32) {
+        append_points<std::endian::little>(bytes, vectors);
+    } else {
+        bytes.reserve(24 * vectors.size());
+        for (const Vec3d& vector : vectors)
+            for (const double component : {vector.x, vector.y, vector.z})
+                append_little(bytes, component);
+    }
+    file.write(bytes);
+}
+
+void NpyRecorder::frame(const Frame& frame) {
+    write_vectors(*positions_, frame.positions);
+    write_vectors(*velocities_, frame.velocities);
+    Bytes time;
+    append_little(time, frame.time);
+    times_->write(time);
+    ++frames_;
+}
+
+std::vector<std::filesystem::path> NpyRecorder::finish() {
+    std::vector<std::filesystem::path> files;
+    for (OutputFile* file : {&*positions_, &*velocities_, &*times_}) file->seek(0);
+    write_heads();
+    for (OutputFile* file : {&*positions_, &*velocities_, &*times_}) file->close();
+    for (OutputFile* file : {&*positions_, &*velocities_, &*times_}) {
+        file->commit();
+        files.push_back(file->path());
+    }
+    return files;
+}
+
+}  // namespace weft

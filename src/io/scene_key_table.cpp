@@ -1,0 +1,198 @@
+// The table of scene keys itself. A default is that of SceneDescription{}, the shipped flag.
+#include "io/scene_keys.h"
+#include "simulation/scene_rules.h"
+
+namespace weft {
+
+namespace {
+
+using S = SceneDescription;
+using Pin = std::size_t;
+
+bool has_grid(const S& s) {
+    return s.cloth.mesh == nullptr;
+}
+bool has_mesh(const S& s) {
+    return s.cloth.mesh != nullptr;
+}
+bool has_particle_mass(const S& s) {
+    return s.material.particle_mass.has_value();
+}
+bool has_mass_per_area(const S& s) {
+    return !s.material.particle_mass.has_value();
+}
+bool has_wind(const S& s) {
+    return s.wind.has_value();
+}
+bool has_gust(const S& s) {
+    return s.wind && s.wind->gust.model != GustModel::none;
+}
+bool has_no_gust(const S& s) {
+    return s.wind && s.wind->gust.model == GustModel::none;
+}
+
+constexpr std::string_view fabric_names = "a fabric of `weft list fabrics`";
+constexpr std::string_view yes_or_no = "true or false";
+constexpr std::string_view selectors =
+    "\"top-left\", \"top-right\", \"bottom-left\", \"bottom-right\", \"left-edge\", "
+    "\"right-edge\", "
+    "\"top-edge\", \"bottom-edge\", { particles = [0, 40] }, { every = 10, of = \"top-edge\" } or "
+    "{ box = [[x, y, z], [x, y, z]] }";
+
+// clang-format off
+const std::array table{
+    SceneKey{"version", "", "1", "1",
+        "Version of this format. Required.", {}},
+    SceneKey{"name", "", "\"Flag in the wind\"", scene_rules::name,
+        "Title of the scene. Where [cloth] is given, the default is the file's name.",
+        +[](S& s, Pin) -> std::string& { return s.name; }},
+
+    SceneKey{"cloth.size", "m", "[1.5, 1.0]", scene_rules::sheet_size,
+        "Width and height of the sheet.",
+        +[](S& s, Pin) -> std::array<double, 2>& { return s.cloth.grid.size; }, has_grid},
+    SceneKey{"cloth.resolution", "", "[61, 41]", scene_rules::resolution,
+        "Columns and rows of particles; the particle in column i and row j has the number j * columns + i.",
+        +[](S& s, Pin) -> std::array<int, 2>& { return s.cloth.grid.resolution; }, has_grid},
+    SceneKey{"cloth.plane", "", "\"xy\"", "\"xy\" or \"xz\"",
+        "\"xy\": hangs, rows run downward (-y). \"xz\": lies flat, rows run along +z.",
+        +[](S& s, Pin) -> Plane& { return s.cloth.grid.plane; }, has_grid},
+    SceneKey{"cloth.origin", "m", "[0.0, 2.0, 0.0]", scene_rules::vector,
+        "Where the top-left particle (0, 0) rests.",
+        +[](S& s, Pin) -> Vec3d& { return s.cloth.grid.origin; }, has_grid},
+    SceneKey{"cloth.mesh", "", "", "path of an OBJ or PLY file",
+        "A mesh of triangles and quads instead of the sheet; relative to the scene file.",
+        +[](S& s, Pin) -> std::string& { return s.cloth.mesh_path; }, has_mesh},
+
+    SceneKey{"material.fabric", "", "\"flag\"", fabric_names,
+        "Preset that gives every key of [material] not given here. Where [cloth] is given, the default is \"cotton\".",
+        +[](S& s, Pin) -> std::string& { return s.material.fabric; }},
+    SceneKey{"material.mass_per_area", "kg/m2", "0.12", scene_rules::positive,
+        "Each particle gets the area nearest to it. Default: the fabric's.",
+        +[](S& s, Pin) -> double& { return s.material.mass_per_area; }, has_mass_per_area},
+    SceneKey{"material.particle_mass", "kg", "", scene_rules::positive,
+        "Gives every particle the same mass, in place of mass_per_area.",
+        +[](S& s, Pin) -> std::optional<double>& { return s.material.particle_mass; }, has_particle_mass},
+    SceneKey{"material.stiffness_per", "", "\"width\"", "\"spring\" or \"width\"",
+        "What every stiffness and damping below is counted per: one spring, or a metre of the cloth's width. With \"spring\" the fabric gives the mass only, and a key not given is 0.",
+        +[](S& s, Pin) -> StiffnessPer& { return s.material.stiffness_per; }},
+    SceneKey{"material.structural.stiffness", "N/m", "120.0", scene_rules::not_negative,
+        "Springs between neighbours in a row or column; every edge of a mesh. Default: the fabric's.",
+        +[](S& s, Pin) -> double& { return s.material.structural.stiffness; }},
+    SceneKey{"material.structural.damping", "N s/m", "0.012", scene_rules::not_negative,
+        "Dashpot along each of these springs. Default: the fabric's.",
+        +[](S& s, Pin) -> double& { return s.material.structural.damping; }},
+    SceneKey{"material.shear.stiffness", "N/m", "40.0", scene_rules::not_negative,
+        "Springs along both diagonals of each cell or quad. Default: the fabric's.",
+        +[](S& s, Pin) -> double& { return s.material.shear.stiffness; }},
+    SceneKey{"material.shear.damping", "N s/m", "0.004", scene_rules::not_negative,
+        "Dashpot along each of these springs. Default: the fabric's.",
+        +[](S& s, Pin) -> double& { return s.material.shear.damping; }},
+    SceneKey{"material.bend.stiffness", "N/m", "30.0", scene_rules::not_negative,
+        "Springs to the particle after the next; on a mesh between the corners facing each other across an edge. Default: the fabric's.",
+        +[](S& s, Pin) -> double& { return s.material.bend.stiffness; }},
+    SceneKey{"material.bend.damping", "N s/m", "0.003", scene_rules::not_negative,
+        "Dashpot along each of these springs. Default: the fabric's.",
+        +[](S& s, Pin) -> double& { return s.material.bend.damping; }},
+    SceneKey{"material.bend.layout", "", "\"interior\"", "\"interior\" or \"border\"",
+        "Bend springs along every row and column, or along the four border lines of a grid only.",
+        +[](S& s, Pin) -> BendLayout& { return s.material.bend_layout; }},
+
+    SceneKey{"pins[].select", "", "\"left-edge\"", selectors,
+        "Particles held by this pin. Required in each [[pins]]. A box holds rest positions inside it, borders included.",
+        +[](S& s, Pin pin) -> PinSelector& { return s.pins.at(pin).select; }},
+    SceneKey{"pins[].motion", "s, m", "[]", "a list of { time = NUMBER, offset = [x, y, z] }, times rising",
+        "Keyframes of the offset from the rest position; between two it eases in and out, before the first and after the last it rests. Empty: the particles do not move.",
+        +[](S& s, Pin pin) -> std::vector<PinKeyframe>& { return s.pins.at(pin).motion; }},
+
+    SceneKey{"forces.gravity", "m/s2", "[0.0, -9.81, 0.0]", scene_rules::vector,
+        "Acceleration of free fall.",
+        +[](S& s, Pin) -> Vec3d& { return s.forces.gravity; }},
+    SceneKey{"forces.damping", "kg/s", "0.0", scene_rules::not_negative,
+        "Drag on every particle, force = -damping * velocity.",
+        +[](S& s, Pin) -> double& { return s.forces.damping; }},
+
+    SceneKey{"wind.velocity", "m/s", "[4.0, 0.0, 1.2]", scene_rules::vector,
+        "Mean wind.",
+        +[](S& s, Pin) -> Vec3d& { return s.wind.value().velocity; }, has_wind},
+    SceneKey{"wind.air_density", "kg/m3", "1.2", scene_rules::not_negative,
+        "0 is a vacuum: no air force.",
+        +[](S& s, Pin) -> double& { return s.wind.value().air_density; }, has_wind},
+    SceneKey{"wind.drag", "", "1.0", scene_rules::not_negative,
+        "Factor on the force normal to each triangle, that of a flat plate.",
+        +[](S& s, Pin) -> double& { return s.wind.value().drag; }, has_wind},
+    SceneKey{"wind.skin_friction", "", "0.01", scene_rules::not_negative,
+        "Coefficient of the force along each triangle.",
+        +[](S& s, Pin) -> double& { return s.wind.value().skin_friction; }, has_wind},
+    SceneKey{"wind.gust", "", "", "\"none\", or a table with model, spread, period, seed",
+        "Gusts on top of the mean wind. Where it is not given, the gust has the defaults below.",
+        +[](S& s, Pin) -> GustModel& { return s.wind.value().gust.model; }, has_no_gust},
+    SceneKey{"wind.gust.model", "", "\"coefficient\"", "\"none\" or \"coefficient\"",
+        "\"coefficient\": each component of the wind times a random factor of its own.",
+        +[](S& s, Pin) -> GustModel& { return s.wind.value().gust.model; }, has_gust},
+    SceneKey{"wind.gust.spread", "", "0.2", scene_rules::spread,
+        "The factors lie between 1 - spread and 1 + spread.",
+        +[](S& s, Pin) -> double& { return s.wind.value().gust.spread; }, has_gust},
+    SceneKey{"wind.gust.period", "s", "0.25", scene_rules::positive,
+        "Time between two draws of the factors; they change smoothly in between.",
+        +[](S& s, Pin) -> double& { return s.wind.value().gust.period; }, has_gust},
+    SceneKey{"wind.gust.seed", "", "7", "an integer, 0 or more",
+        "The same seed gives the same gusts.",
+        +[](S& s, Pin) -> std::uint64_t& { return s.wind.value().gust.seed; }, has_gust},
+
+    SceneKey{"integrator.method", "", "\"velocity-verlet\"", "a method of `weft list integrators`",
+        "How positions and velocities are advanced by a step.",
+        +[](S& s, Pin) -> std::string& { return s.integrator.method; }},
+    SceneKey{"integrator.time_step", "s", "\"auto\"", scene_rules::time_step,
+        "Largest step; the step taken divides a frame into a whole number. \"auto\": 0.9 of the largest stable step.",
+        +[](S& s, Pin) -> std::optional<double>& { return s.integrator.time_step; }},
+    SceneKey{"integrator.precision", "", "\"single\"", "\"single\" or \"double\"",
+        "32- or 64-bit floating point.",
+        +[](S& s, Pin) -> Precision& { return s.integrator.precision; }},
+    SceneKey{"integrator.on_divergence", "", "\"stop\"", "\"stop\" or \"halve-step\"",
+        "What to do when the simulation blows up: end with an error, or go on from the last good frame with half the step.",
+        +[](S& s, Pin) -> OnDivergence& { return s.integrator.on_divergence; }},
+
+    SceneKey{"output.duration", "s", "10.0", scene_rules::not_negative,
+        "Simulated time. Frame 0 is the initial state, so 0 records that alone.",
+        +[](S& s, Pin) -> double& { return s.output.duration; }},
+    SceneKey{"output.frames_per_second", "1/s", "30.0", scene_rules::positive,
+        "Frames recorded per simulated second.",
+        +[](S& s, Pin) -> double& { return s.output.frames_per_second; }},
+    SceneKey{"output.formats", "", "[\"glb\", \"pc2\", \"mp4\"]", "a list of formats of `weft list formats`, none twice",
+        "What to record; [] records nothing.",
+        +[](S& s, Pin) -> std::vector<std::string>& { return s.output.formats; }},
+    SceneKey{"output.energy_balance", "", "false", yes_or_no,
+        "Whether to sum up the work of every force over time, for the energy balance in summary.json.",
+        +[](S& s, Pin) -> bool& { return s.output.energy_balance; }},
+
+    SceneKey{"render.size", "pixels", "[1280, 720]", scene_rules::picture_size,
+        "Width and height of pictures.",
+        +[](S& s, Pin) -> std::array<int, 2>& { return s.render.size; }},
+    SceneKey{"render.texture", "", "\"flag\"", "\"flag\", \"checker\", \"stripes\", \"linen\", \"plain\", or the path of a PNG or JPEG file",
+        "What the cloth looks like; a path is relative to the scene file. Where [cloth] is given, the default is \"linen\".",
+        +[](S& s, Pin) -> std::string& { return s.render.texture; }},
+    SceneKey{"render.mast", "", "true", yes_or_no,
+        "Whether a pole stands along the cloth's left edge. Where [cloth] is given, the default is false.",
+        +[](S& s, Pin) -> bool& { return s.render.mast; }},
+    SceneKey{"render.ground", "", "true", yes_or_no,
+        "Whether there is a floor that takes the shadow.",
+        +[](S& s, Pin) -> bool& { return s.render.ground; }},
+    SceneKey{"render.camera", "m", "\"auto\"", scene_rules::view_point,
+        "Place of the eye. \"auto\": where the whole motion is in the picture.",
+        +[](S& s, Pin) -> std::optional<Vec3d>& { return s.render.camera; }},
+    SceneKey{"render.target", "m", "\"auto\"", scene_rules::view_point,
+        "Point in the middle of the picture. \"auto\": the middle of the cloth.",
+        +[](S& s, Pin) -> std::optional<Vec3d>& { return s.render.target; }},
+    SceneKey{"render.field_of_view", "degrees", "35.0", scene_rules::field_of_view,
+        "Angle from the lower to the upper border of the picture.",
+        +[](S& s, Pin) -> double& { return s.render.field_of_view; }},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const SceneKey> scene_keys() {
+    return table;
+}
+
+}  // namespace weft
