@@ -40,7 +40,7 @@ struct RenderOptions : SceneOptions {
 int run_command(const RunOptions& options);
 int render_command(const RenderOptions& options);
 int check_command(const SceneOptions& options);
-/// @param what "integrators", "fabrics", "scenes", "formats", "experiments" or "keys"
+/// @param what "integrators", "fabrics", "scenes", "formats" or "keys"
 int list_command(const std::string& what, bool json);
 
 /// Reads the scene with the options' overrides and frames applied.

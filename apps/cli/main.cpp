@@ -1,7 +1,9 @@
 // The weft command: parses the command line and calls one function of commands.h.
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <new>
 
 #include "cli/commands.h"

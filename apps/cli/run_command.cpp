@@ -19,15 +19,27 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void make_directory(const std::filesystem::path& directory) {
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    if (error)
-        throw file_error(directory.string(), "cannot make this directory: " + error.message());
-    if (!std::filesystem::is_directory(directory)) {
-        throw file_error(directory.string(), "is not a directory");
+// Makes the output directory; one that is still empty when the run fails goes again.
+class OutputDirectory {
+public:
+    explicit OutputDirectory(const std::filesystem::path& path) : path_(path) {
+        std::error_code error;
+        made_ = std::filesystem::create_directories(path, error);
+        if (error) {
+            throw file_error(path.string(), "cannot make this directory: " + error.message());
+        }
     }
-}
+    ~OutputDirectory() {
+        std::error_code not_empty;
+        if (made_) std::filesystem::remove(path_, not_empty);
+    }
+    OutputDirectory(const OutputDirectory&) = delete;
+    OutputDirectory& operator=(const OutputDirectory&) = delete;
+
+private:
+    std::filesystem::path path_;
+    bool made_ = false;
+};
 
 void announce(const Simulation& simulation, const RunRecord& record) {
     const SceneDescription& scene = simulation.scene();
@@ -86,7 +98,7 @@ int run_command(const RunOptions& options) {
     const std::filesystem::path directory = options.directory.empty()
                                                 ? std::filesystem::path("weft-out") / scene.stem
                                                 : std::filesystem::path(options.directory);
-    make_directory(directory);
+    const OutputDirectory output(directory);
     watch_for_interrupt();
     std::optional<RecordingQueue> queue;
     if (!scene.output.formats.empty()) {

@@ -75,7 +75,7 @@ struct MaterialDescription {
     StiffnessPer stiffness_per = StiffnessPer::width;
     SpringMaterial structural{120.0, 0.012};
     SpringMaterial shear{40.0, 0.004};
-    SpringMaterial bend{1.0, 0.0001};
+    SpringMaterial bend{30.0, 0.003};
     BendLayout bend_layout = BendLayout::interior;
 };
 
@@ -118,7 +118,7 @@ struct GustDescription {
 };
 
 struct WindDescription {
-    Vec3d velocity{6.0, 0.0, 1.0};                  ///< mean [m/s]
+    Vec3d velocity{4.0, 0.0, 1.2};                  ///< mean [m/s]
     double air_density = 1.2;                       ///< [kg/m3]
     double drag = 1.0;                              ///< factor on the plate's normal force
     double skin_friction = 0.01;                    ///< tangential coefficient C_f

@@ -79,6 +79,11 @@ std::string last_line(const std::string& text) {
                        start == std::string::npos ? end + 1 : end - start);
 }
 
+std::string ending(int status) {
+    return WIFSIGNALED(status) ? "ended by signal " + std::to_string(WTERMSIG(status))
+                               : "exit status " + std::to_string(WEXITSTATUS(status));
+}
+
 std::string read_all(int file) {
     std::string text;
     std::array<char, 4096> block{};
@@ -154,13 +159,11 @@ void VideoEncoder::close_input() {
     if (input_ >= 0) close(std::exchange(input_, -1));
 }
 
-int VideoEncoder::wait() {
-    int status = 0;
-    while (waitpid(process_, &status, 0) < 0) {
+void VideoEncoder::wait() {
+    while (waitpid(process_, &status_, 0) < 0) {
         if (errno != EINTR) break;
     }
     process_ = -1;
-    return status;
 }
 
 void VideoEncoder::fail() {
@@ -168,8 +171,7 @@ void VideoEncoder::fail() {
     if (process_ > 0) wait();
     const std::string messages = read_all(messages_);
     const std::string last = last_line(messages);
-    throw file_error(path_.string(),
-                     "ffmpeg failed: " + (last.empty() ? "it ended without a word" : last),
+    throw file_error(path_.string(), "ffmpeg failed: " + (last.empty() ? ending(status_) : last),
                      messages);
 }
 
@@ -187,9 +189,9 @@ void VideoEncoder::write(const Image& image) {
 
 void VideoEncoder::commit() {
     close_input();
-    const int status = wait();
+    wait();
     // ffmpeg's exit status is 0 after some failed writes, but then it has complained.
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !last_line(read_all(messages_)).empty())
+    if (!WIFEXITED(status_) || WEXITSTATUS(status_) != 0 || !last_line(read_all(messages_)).empty())
         fail();
     std::error_code problem;
     std::filesystem::rename(temporary_, path_, problem);

@@ -33,13 +33,14 @@ public:
 private:
     void start(const std::vector<std::string>& arguments);
     void close_input();
-    int wait();
+    void wait();
     [[noreturn]] void fail();
 
     std::filesystem::path path_, temporary_;
     pid_t process_ = -1;  ///< -1: not running
     int input_ = -1;      ///< socket to ffmpeg's standard input; -1: closed
     int messages_ = -1;   ///< file in memory that takes ffmpeg's standard error
+    int status_ = 0;      ///< how ffmpeg ended, as waitpid() tells it
     bool committed_ = false;
 };
 

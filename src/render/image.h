@@ -12,12 +12,12 @@ namespace weft {
 /// Rows from the top, 8 bits a channel, sRGB.
 struct Image {
     int width = 0, height = 0;
-    std::vector<std::uint8_t> rgba;      ///< [height][width][4]
+    std::vector<std::uint8_t> rgba;  ///< [height][width][4]
 };
 
 /// A built-in texture: a row of the table that the scene key render.texture reads.
 struct TextureInfo {
-    std::string_view name;               ///< "flag"
+    std::string_view name;  ///< "flag"
     std::string_view description;
 };
 std::span<const TextureInfo> texture_catalogue();

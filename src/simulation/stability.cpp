@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "forces/linearised.h"
 #include "math/random.h"
@@ -69,13 +71,35 @@ double follow_largest_stiffness(const ClothModel& cloth, const ClothSystem<Real>
     return value;
 }
 
+// The unit vector that `product` multiplies most, and how much. Its work space ends with it: this
+// is where a simulation needs the most memory.
+template <typename Real, typename Product>
+std::pair<double, Vec3Array<Real>> dominant(const ClothSystem<Real>& system, std::size_t count,
+                                            const Product& product) {
+    // Enough for six digits on a small cloth; on a million particles for three, in a few seconds.
+    constexpr double tolerance = 1e-6, product_budget = 2e7;
+    const int max_products =
+        static_cast<int>(std::clamp(product_budget / static_cast<double>(count), 40.0, 200.0));
+    LargestEigenvalue<Real> search(count);
+    start_vector(search.vector());
+    system.scale_by_root_inverse_mass(search.vector().view());  // nothing on pinned particles
+    const double value = search.iterate(product, tolerance, max_products).value;
+    return {std::max(value, 0.0), std::move(search.vector())};
+}
+
+template <typename Real, typename Product>
+double rayleigh_quotient(const Vec3Array<Real>& vector, const Product& product) {
+    Vec3Array<Real> image(vector.size());
+    product(vector, image);
+    return dot_product(vector, image);
+}
+
 template <typename Real>
 StabilityModes stability_modes(const ClothModel& cloth, const ForcesDescription& forces,
                                const ClothSystem<Real>& system, ConstVec3View<Real> x,
                                Vec3Array<Real>& fastest_mode) {
-    constexpr double tolerance = 1e-6;
-    constexpr int max_products = 200;
-    Vec3Array<Real> scaled(cloth.particle_count), image(cloth.particle_count);
+    const std::size_t count = cloth.particle_count;
+    Vec3Array<Real> scaled(count);
     const auto damping =
         mass_scaled(system, scaled, [&](ConstVec3View<Real> in, Vec3View<Real> out) {
             damping_product(cloth, forces, x, in, out);
@@ -84,34 +108,23 @@ StabilityModes stability_modes(const ClothModel& cloth, const ForcesDescription&
         system, scaled,
         [&](ConstVec3View<Real> in, Vec3View<Real> out) { stiffness_product(cloth, x, in, out); });
     StabilityModes found;
-    LargestEigenvalue<Real> search(cloth.particle_count);
-    start_vector(search.vector());
-    system.scale_by_root_inverse_mass(search.vector().view());  // nothing on pinned particles
-    const double squared = search.iterate(stiffness, tolerance, max_products).value;
-    fastest_mode = search.vector();
-    damping(fastest_mode, image);
-    const Mode fastest{std::sqrt(std::max(squared, 0.0)), dot_product(fastest_mode, image)};
+    double squared = 0.0;
+    std::tie(squared, fastest_mode) = dominant(system, count, stiffness);
+    const Mode fastest{std::sqrt(squared), rayleigh_quotient(fastest_mode, damping)};
     found.modes.push_back(fastest);
-
-    double lightest = 0.0, heaviest = 0.0;
-    for (std::size_t p = 0; p < cloth.particle_count; ++p) {
-        lightest = p == 0 ? cloth.masses[p] : std::min(lightest, cloth.masses[p]);
-        heaviest = std::max(heaviest, cloth.masses[p]);
-    }
-    found.least_damped = {fastest.omega,
-                          forces.damping / heaviest + least_damping_per_stiffness(cloth) * squared};
+    const auto [lightest, heaviest] = std::minmax_element(cloth.masses.begin(), cloth.masses.end());
+    found.least_damped = {
+        fastest.omega, forces.damping / *heaviest + least_damping_per_stiffness(cloth) * squared};
+    // A mode of next to no stiffness is limited by its decay alone; this little keeps zeta finite.
+    const auto damped_mode = [](double omega, double rate) {
+        return Mode{std::max(omega, 1e-3 * rate), rate};
+    };
     if (fastest.damping_rate > 0.0) {
-        start_vector(search.vector());
-        system.scale_by_root_inverse_mass(search.vector().view());
-        const double rate = search.iterate(damping, tolerance, max_products).value;
-        stiffness(search.vector(), image);
-        const double omega2 = std::max(dot_product(search.vector(), image), 0.0);
-        found.modes.push_back({std::max(std::sqrt(omega2), 1e-3 * rate), rate});
+        const auto [rate, vector] = dominant(system, count, damping);
+        found.modes.push_back(damped_mode(std::sqrt(rayleigh_quotient(vector, stiffness)), rate));
     }
     if (forces.damping > 0.0) {
-        // With almost no stiffness, as a cloth swings; its own decay is all that limits the step.
-        const double rate = forces.damping / lightest;
-        found.modes.push_back({std::max(1e-3 * fastest.omega, 1e-3 * rate), rate});
+        found.modes.push_back(damped_mode(1e-3 * fastest.omega, forces.damping / *lightest));
     }
     return found;
 }

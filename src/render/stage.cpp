@@ -1,0 +1,182 @@
+// Planning the stage from the first frame of a cloth.
+#include "render/stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/mast.h"
+
+namespace weft {
+
+namespace {
+
+constexpr float stretch = 1.05F;  // a cloth under load reaches a little beyond its rest lengths
+
+/// The cloth in the first frame, by vertex.
+struct RestCloth {
+    std::vector<glm::vec3> points;  // [vertex], [m]
+    const Surface* surface = nullptr;
+};
+
+RestCloth rest_cloth(const Surface& surface, std::span<const Vec3d> positions) {
+    RestCloth cloth{{}, &surface};
+    cloth.points.reserve(surface.vertex_count());
+    for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex)
+        cloth.points.push_back(to_glm(positions[surface.particle(vertex)]));
+    return cloth;
+}
+
+Box bounds_of(std::span<const glm::vec3> points) {
+    if (points.empty()) return {};
+    Box box{points.front(), points.front()};
+    for (const glm::vec3& point : points) box = box.grown_to(point);
+    return box;
+}
+
+/// The points whose `value` is within `tolerance` of the greatest.
+template <typename Value>
+std::vector<glm::vec3> uppermost(const RestCloth& cloth, float tolerance, Value value) {
+    float greatest = -std::numeric_limits<float>::infinity();
+    for (std::size_t i = 0; i < cloth.points.size(); ++i) greatest = std::max(greatest, value(i));
+    std::vector<glm::vec3> points;
+    for (std::size_t i = 0; i < cloth.points.size(); ++i)
+        if (value(i) >= greatest - tolerance) points.push_back(cloth.points[i]);
+    return points;
+}
+
+/// Level direction that the front of the cloth faces; for a lying cloth the one from its upper
+/// edge (greatest v) to its lower, which is where its front shows once it hangs.
+glm::vec3 front_direction(const RestCloth& cloth, bool lying) {
+    glm::vec3 sum(0.0F);
+    float total = 0.0F;
+    const auto& uvs = cloth.surface->uvs;
+    for (const auto& [a, b, c] : cloth.surface->triangles) {
+        const glm::vec3 ab = cloth.points[b] - cloth.points[a];
+        const glm::vec3 ac = cloth.points[c] - cloth.points[a];
+        // Solving for the direction in which v falls needs only its sign and weight by area.
+        const float ab_u = uvs[b][0] - uvs[a][0], ac_u = uvs[c][0] - uvs[a][0];
+        const glm::vec3 part = lying ? ab_u * ac - ac_u * ab : glm::cross(ab, ac);
+        sum += part;
+        total += glm::length(part);
+    }
+    if (lying) {
+        float turned =
+            0.0F;  // the sign of the texture's area: mirrored textures turn the direction
+        for (const auto& [a, b, c] : cloth.surface->triangles)
+            turned += (uvs[b][0] - uvs[a][0]) * (uvs[c][1] - uvs[a][1]) -
+                      (uvs[c][0] - uvs[a][0]) * (uvs[b][1] - uvs[a][1]);
+        sum *= turned > 0.0F ? -1.0F : 1.0F;
+    }
+    sum.y = 0.0F;
+    const float length = glm::length(sum);
+    // A garment closed around its axis faces nowhere: what is left of the sum is rounding.
+    return length > 0.01F * total ? sum / length : glm::vec3(0, 0, 1);
+}
+
+/// The ends and the middle of a row of points, ordered along its longest side: enough to bound what
+/// a cloth fastened there can reach.
+std::vector<glm::vec3> spread_of(std::vector<glm::vec3> points) {
+    if (points.empty()) return points;
+    const Box box = bounds_of(points);
+    const glm::vec3 size = box.high - box.low;
+    const int axis = size.y >= size.x && size.y >= size.z ? 1 : (size.x >= size.z ? 0 : 2);
+    std::sort(points.begin(), points.end(),
+              [axis](const glm::vec3& a, const glm::vec3& b) { return a[axis] < b[axis]; });
+    return {points.front(), points[points.size() / 2], points.back()};
+}
+
+/// The box that bounds the cloth wherever it swings: every point stays within its rest distance of
+/// every fastening.
+Box reach_of(const RestCloth& cloth, const std::vector<glm::vec3>& fastenings) {
+    Box reach = bounds_of(cloth.points);
+    for (const glm::vec3& point : cloth.points) {
+        Box ball{glm::vec3(-std::numeric_limits<float>::infinity()),
+                 glm::vec3(std::numeric_limits<float>::infinity())};
+        for (const glm::vec3& fastening : fastenings) {
+            const glm::vec3 radius(stretch * glm::distance(point, fastening));
+            ball.low = glm::max(ball.low, fastening - radius);
+            ball.high = glm::min(ball.high, fastening + radius);
+        }
+        if (!fastenings.empty()) reach = reach.grown_to(ball.low).grown_to(ball.high);
+    }
+    return reach;
+}
+
+/// What the camera shows. Showing all of the reach would make the cloth small for the sake of
+/// places it hardly comes to, so each way of hanging has its own allowance.
+std::vector<glm::vec3> view_corners(const Stage& stage) {
+    const glm::vec3 side = glm::cross(glm::vec3(0, 1, 0), stage.front);  // rightward from the front
+    const glm::vec3 half = 0.5F * (stage.rest.high - stage.rest.low);
+    const glm::vec3 middle = stage.rest.middle();
+    const auto half_along = [&half](glm::vec3 axis) { return glm::dot(half, glm::abs(axis)); };
+    const float width = half_along(side), depth = half_along(stage.front);
+    glm::vec3 low{-width, stage.rest.low.y, -depth}, high{width, stage.rest.high.y, depth};
+    if (stage.lying) {  // falls and swings through below its fastened edge
+        low.y = stage.reach.low.y;
+        low.z = -3.0F * depth;
+        high.y += 0.1F * stage.size;
+    } else if (stage.mast) {  // flies, flaps to both sides and droops
+        low.y = std::max(stage.reach.low.y, low.y - 0.5F * width);
+        low.z -= 0.5F * width;
+        high.z += 0.5F * width;
+        high.x += 0.06F * width;
+    } else {  // hangs, sags and sways
+        low.y = std::max(stage.reach.low.y, low.y - 0.1F * half.y);
+        low.z -= 0.6F * half.y;
+        high.z += 0.6F * half.y;
+    }
+    std::vector<glm::vec3> corners;
+    for (const glm::vec3& corner : Box{low, high}.corners())
+        corners.push_back(glm::vec3(middle.x, 0, middle.z) + corner.x * side +
+                          glm::vec3(0, corner.y, 0) + corner.z * stage.front);
+    if (stage.mast && !stage.mast->level)
+        corners.push_back(stage.mast->top + glm::vec3(0, 4.0F * stage.mast->radius, 0));
+    return corners;
+}
+
+/// The floor lies at height 0 where the cloth stays above it and is near it, else below the reach.
+float ground_height(const Stage& stage) {
+    const float lowest = stage.reach.low.y;
+    const bool natural = lowest >= 0.0F && lowest <= 2.0F * stage.size;
+    return natural ? 0.0F : lowest - 0.1F * stage.size;
+}
+
+}  // namespace
+
+std::array<glm::vec3, 8> Box::corners() const {
+    std::array<glm::vec3, 8> result;
+    for (unsigned i = 0; i < 8; ++i)
+        result[i] = {(i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y,
+                     (i & 4U) != 0 ? high.z : low.z};
+    return result;
+}
+
+Stage plan_stage(const Surface& surface, std::span<const Vec3d> positions,
+                 const RenderDescription& render) {
+    const RestCloth cloth = rest_cloth(surface, positions);
+    Stage stage;
+    stage.rest = bounds_of(cloth.points);
+    const glm::vec3 size = stage.rest.high - stage.rest.low;
+    stage.size = std::max(glm::length(size), 1e-3F);
+    stage.lying = size.y < 0.25F * stage.size;
+    stage.front = front_direction(cloth, stage.lying);
+
+    const auto left = uppermost(cloth, 1e-3F, [&](std::size_t i) { return -surface.uvs[i][0]; });
+    const auto upper =
+        stage.lying
+            ? uppermost(cloth, 1e-3F, [&](std::size_t i) { return surface.uvs[i][1]; })
+            : uppermost(cloth, 0.02F * size.y, [&](std::size_t i) { return cloth.points[i].y; });
+    stage.reach = reach_of(cloth, spread_of(render.mast ? left : upper));
+    const float ground = ground_height(stage);
+    if (render.ground) stage.ground = ground;
+    if (render.mast) stage.mast = plan_mast(left, stage.rest, ground);
+    stage.view = view_corners(stage);
+
+    // The sun stands high, to the left and in front: it grazes a hanging cloth, so folds show.
+    const glm::vec3 side = glm::cross(glm::vec3(0, 1, 0), stage.front);
+    stage.to_sun = glm::normalize(glm::vec3(0, 0.80F, 0) - 0.74F * side + 0.46F * stage.front);
+    return stage;
+}
+
+}  // namespace weft

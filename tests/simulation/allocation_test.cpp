@@ -1,0 +1,108 @@
+// A step allocates nothing: operator new is replaced by one that counts.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "support/cloth_scenes.h"
+#include "weft/integrators.h"
+#include "weft/simulation.h"
+
+namespace {
+std::atomic<bool> counting = false;
+std::atomic<long> allocations = 0;
+
+void* count_and_allocate(std::size_t size, std::size_t alignment) {
+    if (counting) ++allocations;
+    const std::size_t whole = (size + alignment - 1) / alignment * alignment;
+    void* memory = std::aligned_alloc(alignment, whole > 0 ? whole : alignment);
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+}  // namespace
+
+void* operator new(std::size_t size) { return count_and_allocate(size, alignof(std::max_align_t)); }
+void* operator new[](std::size_t size) { return count_and_allocate(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    return count_and_allocate(size, static_cast<std::size_t>(alignment));
+}
+void* operator new[](std::size_t size, std::align_val_t alignment) {
+    return count_and_allocate(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace weft::test {
+namespace {
+
+// Of the frames after the first.
+long allocations_of_frames(Simulation& simulation, int frames) {
+    EXPECT_TRUE(simulation.advance_frame().ok());
+    allocations = 0;
+    counting = true;
+    bool ok = true;
+    for (int n = 0; n < frames; ++n) ok = simulation.advance_frame().ok() && ok;
+    counting = false;
+    EXPECT_TRUE(ok);
+    return allocations;
+}
+
+SceneDescription small_flag(bool mesh, Precision precision) {
+    SceneDescription scene;
+    scene.cloth.grid.resolution = {13, 9};
+    scene.pins = {{BoxSelection{{-0.1, -9.0, -9.0}, {0.1, 9.0, 9.0}}, {{0.0, {}}, {9.0, {0.1, 0, 0}}}}};
+    scene.forces.damping = 1e-4;
+    scene.integrator.time_step = 1e-3;
+    scene.integrator.precision = precision;
+    if (mesh) make_mesh_of_grid(scene);
+    return scene;
+}
+
+TEST(Allocation, IsSeenByTheCounter) {
+    counting = true;
+    allocations = 0;
+    delete new int(1);
+    { const Vec3Array<float> array(10); }
+    counting = false;
+    EXPECT_EQ(allocations, 2);
+}
+
+TEST(Allocation, IsNoneInTheStepsOfAnyMethod) {
+    for (const bool mesh : {false, true}) {
+        for (const Precision precision : {Precision::f32, Precision::f64}) {
+            for (const IntegratorInfo& info : integrator_catalogue()) {
+                SceneDescription scene = small_flag(mesh, precision);
+                scene.integrator.method = std::string(info.name);
+                Simulation simulation(scene);
+                EXPECT_EQ(allocations_of_frames(simulation, 5), 0) << info.name;
+            }
+        }
+    }
+}
+
+TEST(Allocation, IsNoneWithTheEnergyBalance) {
+    for (const bool mesh : {false, true}) {
+        SceneDescription scene = small_flag(mesh, Precision::f32);
+        scene.output.energy_balance = true;
+        Simulation simulation(scene);
+        EXPECT_EQ(allocations_of_frames(simulation, 5), 0);
+    }
+}
+
+// The automatic step looks at the cloth every eighth frame.
+TEST(Allocation, IsNoneUnderTheAutomaticStep) {
+    SceneDescription scene = small_flag(false, Precision::f32);
+    scene.integrator.time_step.reset();
+    Simulation simulation(scene);
+    EXPECT_EQ(allocations_of_frames(simulation, 20), 0);
+}
+
+}  // namespace
+}  // namespace weft::test
