@@ -27,6 +27,7 @@ nlohmann::ordered_json check_json(const Simulation& simulation) {
     json["steps_per_frame"] = simulation.steps_per_frame();
     json["stable_step"] = stable_steps_json(simulation);
     json["warnings"] = warnings_before(simulation);
+    json["mesh_findings"] = simulation.mesh_findings();
     return json;
 }
 
@@ -58,6 +59,9 @@ void print_check(const Simulation& simulation) {
                scene.integrator.time_step ? "given" : "auto", simulation.steps_per_frame(),
                scene.frame_count());
     print_stable_steps(simulation);
+    for (const std::string& finding : simulation.mesh_findings()) {
+        fmt::print("mesh          {}\n", finding);
+    }
     for (const std::string& warning : warnings_before(simulation)) {
         fmt::print("warning: {}\n", warning);
     }

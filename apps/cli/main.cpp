@@ -3,8 +3,12 @@
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <functional>
 #include <new>
+#include <system_error>
 
 #include "cli/commands.h"
 #include "weft/error.h"
@@ -166,7 +170,17 @@ int guarded_main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "weft: not enough memory for this scene\n");
         return exit_diverged;
+    } catch (const std::system_error& error) {  // fmt::print where standard output takes no more
+        fmt::print(stderr, "weft: standard output: {}\n", error.what());
+        return exit_file;
     }
+}
+
+// What was printed is only written for certain when the buffer is flushed.
+int after_flushing(int status) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+    fmt::print(stderr, "weft: standard output: cannot be written: {}\n", std::strerror(errno));
+    return exit_file;
 }
 
 }  // namespace
@@ -174,5 +188,5 @@ int guarded_main(int argc, char** argv) {
 }  // namespace weft
 
 int main(int argc, char** argv) {
-    return weft::guarded_main(argc, argv);
+    return weft::after_flushing(weft::guarded_main(argc, argv));
 }

@@ -8,6 +8,7 @@
 #include "cli/simulate.h"
 #include "io/picture_recorder.h"
 #include "io/recording_file.h"
+#include "render/image.h"
 #include "weft/error.h"
 
 namespace weft {
@@ -28,11 +29,23 @@ std::filesystem::path checked_target(const RenderOptions& options) {
         throw Error(ErrorKind::usage, {.key = "--frame"},
                     "is for a single picture: give -o a name ending in .png");
     }
+    if (options.frame && options.frames) {
+        throw Error(ErrorKind::usage, {.key = "--frame"}, "and --frames cannot be given together");
+    }
     return file;
 }
 
+// What would only come out after the whole simulation.
+void check_before(const std::filesystem::path& target, const RenderDescription& render) {
+    const std::filesystem::path directory = target.has_parent_path() ? target.parent_path() : ".";
+    if (!std::filesystem::is_directory(directory)) {
+        throw file_error(target.string(), "there is no directory " + directory.string());
+    }
+    load_texture(render.texture);
+}
+
 RecordingPlan plan_for(RecordingPlan plan, const std::filesystem::path& target) {
-    plan.directory = target.has_parent_path() ? target.parent_path() : ".";
+    plan.directory = target.parent_path();
     plan.stem = target.stem().string();
     return plan;
 }
@@ -59,6 +72,7 @@ int render_scene(const RenderOptions& options, const std::filesystem::path& targ
         scene.output.duration =
             static_cast<double>(*options.frame) / scene.output.frames_per_second;
     }
+    check_before(target, scene.render);
     Simulation simulation(scene, options.threads);
     for (const std::string& warning : warnings_before(simulation)) {
         fmt::print(stderr, "warning: {}\n", warning);
@@ -112,6 +126,7 @@ int render_recording(const RenderOptions& options, const std::filesystem::path& 
     plan.frames_per_second = recording.frames_per_second();
     plan.render = render_settings(options);
     plan = plan_for(plan, target);
+    check_before(target, plan.render);
     if (target.extension() == ".png") {
         const std::size_t index = options.frame.value_or(count - 1);
         if (index >= recording.frame_count()) {

@@ -43,9 +43,9 @@ private:
 
 void announce(const Simulation& simulation, const RunRecord& record) {
     const SceneDescription& scene = simulation.scene();
-    fmt::print(stderr, "{}: {} particles, {}, {} steps of {:.4g} s a frame, {} frames\n",
+    fmt::print(stderr, "{}: {} particles, {}; frames: {}, steps a frame: {} of {:.4g} s\n",
                scene.name, simulation.particle_count(), scene.integrator.method,
-               simulation.steps_per_frame(), simulation.time_step(), scene.frame_count());
+               scene.frame_count(), simulation.steps_per_frame(), simulation.time_step());
     for (const std::string& warning : record.warnings) fmt::print(stderr, "warning: {}\n", warning);
 }
 
@@ -62,7 +62,7 @@ void conclude(const Simulation& simulation, const RunRecord& record, std::size_t
     for (std::size_t n = known_warnings; n < record.warnings.size(); ++n) {
         fmt::print(stderr, "warning: {}\n", record.warnings[n]);
     }
-    fmt::print("{} frames, {:.2f} s simulated in {:.2f} s; state {:016x}\n", simulation.frame(),
+    fmt::print("frames: {}; {:.2f} s simulated in {:.2f} s; state {:016x}\n", simulation.frame(),
                simulation.time(), record.total_seconds, simulation.state_hash());
     for (const std::filesystem::path& file : record.files) fmt::print("{}\n", file.string());
 }

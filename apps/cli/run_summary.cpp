@@ -122,6 +122,7 @@ Json run_summary(const Simulation& simulation, const RunRecord& record) {
     json["state_hash"] = fmt::format("{:016x}", simulation.state_hash());
     if (record.divergence) json["divergence"] = divergence_json(*record.divergence);
     json["warnings"] = record.warnings;
+    json["mesh_findings"] = simulation.mesh_findings();
     json["files"] = Json::array();
     for (const std::filesystem::path& file : record.files) json["files"].push_back(file.string());
     return json;

@@ -83,7 +83,6 @@ std::vector<std::string> warnings_before(const Simulation& simulation) {
                               "until it blows up",
                               method));
     }
-    for (const std::string& finding : simulation.mesh_findings()) warnings.push_back(finding);
     return warnings;
 }
 

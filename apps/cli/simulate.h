@@ -15,7 +15,7 @@ namespace weft {
 /// @param queue gets every frame, frame 0 included; null: nothing is recorded.
 void simulate(Simulation& simulation, RecordingQueue* queue, Progress& progress, RunRecord& record);
 
-/// What a user should know before a run: a step beyond the stable one, findings in the mesh.
+/// What a user should know before a run: a step beyond the stable one.
 std::vector<std::string> warnings_before(const Simulation& simulation);
 
 /// The plan of recording a whole scene into a directory.

@@ -75,7 +75,7 @@ struct MaterialDescription {
     StiffnessPer stiffness_per = StiffnessPer::width;
     SpringMaterial structural{120.0, 0.012};
     SpringMaterial shear{40.0, 0.004};
-    SpringMaterial bend{30.0, 0.003};
+    SpringMaterial bend{10.0, 0.001};
     BendLayout bend_layout = BendLayout::interior;
 };
 
@@ -112,13 +112,13 @@ struct ForcesDescription {
 
 struct GustDescription {
     GustModel model = GustModel::coefficient;
-    double spread = 0.2;                            ///< factor in [1 - spread, 1 + spread]
+    double spread = 0.5;                            ///< factor in [1 - spread, 1 + spread]
     double period = 0.25;                           ///< between two draws [s]
     std::uint64_t seed = 7;
 };
 
 struct WindDescription {
-    Vec3d velocity{4.0, 0.0, 1.2};                  ///< mean [m/s]
+    Vec3d velocity{4.0, 0.0, 1.4};                  ///< mean [m/s]
     double air_density = 1.2;                       ///< [kg/m3]
     double drag = 1.0;                              ///< factor on the plate's normal force
     double skin_friction = 0.01;                    ///< tangential coefficient C_f

@@ -34,7 +34,7 @@ constexpr std::array fabrics{
     fabric("wool", "soft and heavy: coats, blankets, capes", 0.3, 600.0, 200.0, 18.0),
     fabric("denim", "dense twill: trousers, workwear", 0.4, 4000.0, 1300.0, 200.0),
     fabric("leather", "thick hide, hardly stretches", 0.8, 10400.0, 3950.0, 1000.0),
-    fabric("flag", "flag nylon: flies in a light wind", 0.12, 120.0, 40.0, 30.0),
+    fabric("flag", "flag nylon: flies in a light wind", 0.12, 120.0, 40.0, 10.0),
 };
 
 }  // namespace

@@ -25,7 +25,12 @@ public:
     void prepare(std::size_t particle_count) override;
     void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
     void restart() override { last_step_ = 0.0; }
-    void save(History& history) const override { history = {{x_previous_, a_}, last_step_}; }
+    void save(History& history) const override {
+        history.arrays.resize(2);  // copied into the same memory frame after frame
+        history.arrays[0] = x_previous_;
+        history.arrays[1] = a_;
+        history.last_step = last_step_;
+    }
     void restore(const History& history) override;
 
 private:
@@ -47,7 +52,11 @@ public:
     void prepare(std::size_t particle_count) override;
     void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
     void restart() override { started_ = false; }
-    void save(History& history) const override { history = {{a_}, started_ ? 1.0 : 0.0}; }
+    void save(History& history) const override {
+        history.arrays.resize(1);
+        history.arrays[0] = a_;
+        history.last_step = started_ ? 1.0 : 0.0;
+    }
     void restore(const History& history) override;
 
 private:

@@ -1,5 +1,6 @@
 #include "io/recording_queue.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -116,8 +117,12 @@ void RecordingQueue::record(const Frame& frame) {
 
 void RecordingQueue::finish_all() {
     for_each_recorder([&](Recorder& recorder) {
-        const std::vector<std::filesystem::path> written = recorder.finish();
-        files_.insert(files_.end(), written.begin(), written.end());
+        for (const std::filesystem::path& file : recorder.finish()) {
+            // Two caches share one mesh and one script.
+            if (std::find(files_.begin(), files_.end(), file) == files_.end()) {
+                files_.push_back(file);
+            }
+        }
         const std::vector<std::string> notes = recorder.warnings();
         warnings_.insert(warnings_.end(), notes.begin(), notes.end());
     });

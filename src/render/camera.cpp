@@ -70,7 +70,7 @@ Camera fit_view(const Stage& stage, const RenderDescription& render, glm::vec3 f
 /// From the front, turned to the left and a little from above: enough to see depth.
 glm::vec3 automatic_direction(const Stage& stage) {
     const float turn = glm::radians(stage.lying ? 32.0F : 20.0F);
-    const float rise = glm::radians(stage.lying ? 16.0F : 7.0F);
+    const float rise = glm::radians(stage.lying ? 20.0F : 7.0F);
     const glm::vec3 side = glm::cross(glm::vec3(0, 1, 0), stage.front);
     const glm::vec3 level = std::cos(turn) * stage.front - std::sin(turn) * side;
     return -(std::cos(rise) * level + std::sin(rise) * glm::vec3(0, 1, 0));

@@ -6,7 +6,6 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include <mutex>
 #include <string>
 
 #include "weft/error.h"
@@ -32,36 +31,22 @@ void require_egl_library() {
         throw_without_gl("libEGL.so.1 is not installed");
 }
 
-/// The display of the surfaceless platform. Every context of the process shares it: EGL hands out
-/// the same display each time, and terminating it would end them all.
-class Display {
-public:
-    Display() {
-        require_egl_library();
-        if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base"))
-            throw_unavailable("finding EGL_EXT_platform_base");
-        handle_ =
-            eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-        if (handle_ == EGL_NO_DISPLAY) throw_unavailable("opening the surfaceless display");
-        if (eglInitialize(handle_, nullptr, nullptr) == EGL_FALSE)
-            throw_unavailable("initialising the display");
-    }
-    ~Display() { eglTerminate(handle_); }
-    Display(const Display&) = delete;
-    Display& operator=(const Display&) = delete;
+EGLDisplay open_display() {
+    require_egl_library();
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base"))
+        throw_unavailable("finding EGL_EXT_platform_base");
+    const EGLDisplay display =
+        eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display == EGL_NO_DISPLAY) throw_unavailable("opening the surfaceless display");
+    if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE)
+        throw_unavailable("initialising the display");
+    return display;
+}
 
-    [[nodiscard]] EGLDisplay handle() const { return handle_; }
-
-private:
-    EGLDisplay handle_ = EGL_NO_DISPLAY;
-};
-
-std::shared_ptr<const Display> shared_display() {
-    static std::mutex mutex;
-    static std::weak_ptr<const Display> shared;
-    const std::lock_guard lock(mutex);
-    std::shared_ptr<const Display> display = shared.lock();
-    if (!display) shared = display = std::make_shared<const Display>();
+/// The display of the surfaceless platform. Every context of the process shares it, for EGL hands
+/// out the same one each time; it stays open, since closing it would end them all.
+EGLDisplay shared_display() {
+    static const EGLDisplay display = open_display();
     return display;
 }
 
@@ -89,17 +74,17 @@ EGLContext create_context(EGLDisplay display) {
 }  // namespace
 
 struct GlContext::State {
-    std::shared_ptr<const Display> display;
+    EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
 };
 
 GlContext::GlContext() : state_(std::make_unique<State>()) {
     state_->display = shared_display();
-    state_->context = create_context(state_->display->handle());
+    state_->context = create_context(state_->display);
 }
 
 GlContext::~GlContext() {
-    eglDestroyContext(state_->display->handle(), state_->context);
+    eglDestroyContext(state_->display, state_->context);
 }
 
 struct CurrentContext::Binding {
@@ -110,7 +95,7 @@ struct CurrentContext::Binding {
 };
 
 CurrentContext::CurrentContext(const GlContext& context)
-    : earlier_(std::make_unique<Binding>()), display_(context.state_->display->handle()) {
+    : earlier_(std::make_unique<Binding>()), display_(context.state_->display) {
     if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context.state_->context) ==
         EGL_FALSE) {
         throw_unavailable("making the context current");

@@ -21,8 +21,8 @@ struct SceneBlock {
 // How soft shadows are: half the width of the edge that the taps blur. The sun's disc makes an edge
 // grow with the distance from caster to ground; a share of the cloth's size stands for it.
 constexpr float ground_softness = 0.0085F;  // of the cloth's size
-constexpr float cloth_spacing = 1.4F;      // [texels]
-constexpr float ground_taps = 6.0F;        // a side, as in ground.frag
+constexpr float cloth_spacing = 1.4F;       // [texels]
+constexpr float ground_taps = 6.0F;         // a side, as in ground.frag
 
 GlProgram make_drawing_program(std::string_view vertex, std::string_view fragment) {
     const std::string lit_fragment = std::string(shaders::light) + std::string(fragment);

@@ -13,8 +13,8 @@ constexpr int sides = 32;
 
 /// Two unit vectors that make a right-handed frame with `axis`.
 std::pair<glm::vec3, glm::vec3> across(glm::vec3 axis) {
-    const glm::vec3 helper = std::abs(axis.y) < 0.9F ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-    const glm::vec3 first = glm::normalize(glm::cross(helper, axis));
+    const glm::vec3 other = std::abs(axis.y) < 0.9F ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    const glm::vec3 first = glm::normalize(glm::cross(other, axis));
     return {first, glm::cross(axis, first)};
 }
 

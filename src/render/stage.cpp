@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "render/mast.h"
 
@@ -103,33 +104,54 @@ Box reach_of(const RestCloth& cloth, const std::vector<glm::vec3>& fastenings) {
     return reach;
 }
 
+/// Rightward, upward and toward the front: the axes in which the view is planned.
+glm::mat3 stage_axes(const Stage& stage) {
+    const glm::vec3 up(0, 1, 0);
+    return {glm::cross(up, stage.front), up, stage.front};
+}
+
+/// A lying cloth falls and swings through below its fastened edge: the arc of its free edge, wider
+/// below where its weight stretches it most.
+std::vector<glm::vec3> swing_arc(glm::vec3 half, float top, float ground) {
+    std::vector<glm::vec3> points;
+    constexpr int steps = 12;
+    const float length = 2.0F * half.z;
+    for (int i = 0; i <= steps; ++i) {
+        const float angle =
+            std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(steps);
+        const float drop = std::sin(angle), radius = length * (1.0F + 0.6F * drop * drop);
+        const float height = std::max(top - radius * drop, ground);
+        for (const float side : {-half.x, half.x})
+            points.emplace_back(side, height, radius * std::cos(angle) - half.z);
+    }
+    return points;
+}
+
+/// The allowance for a cloth that hangs or flies; `half` is half its size at rest.
+std::vector<glm::vec3> hanging_box(const Stage& stage, glm::vec3 half) {
+    Box box{{-half.x, stage.rest.low.y, -half.z}, {half.x, stage.rest.high.y, half.z}};
+    // With a mast it flaps to both sides and droops at its end, else it sags and sways.
+    const float sway = stage.mast ? 0.5F * half.x : 0.6F * half.y;
+    const float droop = stage.mast ? 0.5F * half.x : 0.1F * half.y;
+    box.low.y = std::max(stage.reach.low.y, box.low.y - droop);
+    box.low.z -= sway;
+    box.high.z += sway;
+    if (stage.mast) box.high.x += 0.06F * half.x;
+    const auto corners = box.corners();
+    return {corners.begin(), corners.end()};
+}
+
 /// What the camera shows. Showing all of the reach would make the cloth small for the sake of
 /// places it hardly comes to, so each way of hanging has its own allowance.
-std::vector<glm::vec3> view_corners(const Stage& stage) {
-    const glm::vec3 side = glm::cross(glm::vec3(0, 1, 0), stage.front);  // rightward from the front
-    const glm::vec3 half = 0.5F * (stage.rest.high - stage.rest.low);
+std::vector<glm::vec3> view_corners(const Stage& stage, float ground) {
+    const glm::mat3 axes = stage_axes(stage);
+    const glm::vec3 size = stage.rest.high - stage.rest.low;
+    const glm::vec3 half = 0.5F * glm::vec3(glm::dot(size, glm::abs(axes[0])), size.y,
+                                            glm::dot(size, glm::abs(axes[2])));
     const glm::vec3 middle = stage.rest.middle();
-    const auto half_along = [&half](glm::vec3 axis) { return glm::dot(half, glm::abs(axis)); };
-    const float width = half_along(side), depth = half_along(stage.front);
-    glm::vec3 low{-width, stage.rest.low.y, -depth}, high{width, stage.rest.high.y, depth};
-    if (stage.lying) {  // falls and swings through below its fastened edge
-        low.y = stage.reach.low.y;
-        low.z = -3.0F * depth;
-        high.y += 0.1F * stage.size;
-    } else if (stage.mast) {  // flies, flaps to both sides and droops
-        low.y = std::max(stage.reach.low.y, low.y - 0.5F * width);
-        low.z -= 0.5F * width;
-        high.z += 0.5F * width;
-        high.x += 0.06F * width;
-    } else {  // hangs, sags and sways
-        low.y = std::max(stage.reach.low.y, low.y - 0.1F * half.y);
-        low.z -= 0.6F * half.y;
-        high.z += 0.6F * half.y;
-    }
-    std::vector<glm::vec3> corners;
-    for (const glm::vec3& corner : Box{low, high}.corners())
-        corners.push_back(glm::vec3(middle.x, 0, middle.z) + corner.x * side +
-                          glm::vec3(0, corner.y, 0) + corner.z * stage.front);
+    std::vector<glm::vec3> corners =
+        stage.lying ? swing_arc(half, stage.rest.high.y, ground) : hanging_box(stage, half);
+    for (glm::vec3& corner : corners) corner = glm::vec3(middle.x, 0, middle.z) + axes * corner;
     if (stage.mast && !stage.mast->level)
         corners.push_back(stage.mast->top + glm::vec3(0, 4.0F * stage.mast->radius, 0));
     return corners;
@@ -171,11 +193,10 @@ Stage plan_stage(const Surface& surface, std::span<const Vec3d> positions,
     const float ground = ground_height(stage);
     if (render.ground) stage.ground = ground;
     if (render.mast) stage.mast = plan_mast(left, stage.rest, ground);
-    stage.view = view_corners(stage);
+    stage.view = view_corners(stage, ground);
 
     // The sun stands high, to the left and in front: it grazes a hanging cloth, so folds show.
-    const glm::vec3 side = glm::cross(glm::vec3(0, 1, 0), stage.front);
-    stage.to_sun = glm::normalize(glm::vec3(0, 0.80F, 0) - 0.74F * side + 0.46F * stage.front);
+    stage.to_sun = glm::normalize(stage_axes(stage) * glm::vec3(-0.74F, 0.80F, 0.46F));
     return stage;
 }
 

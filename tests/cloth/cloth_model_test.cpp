@@ -15,7 +15,8 @@ TEST(ClothModel, NamesParticlesByColumnAndRowOnAGridOnly) {
 }
 
 // A grid and the same grid as a mesh of quads have the same particles and structural and shear
-// springs; a mesh's bend springs join what lies across an edge, so only structural and shear compare.
+// springs; a mesh's bend springs join what lies across an edge, so only structural and shear
+// compare.
 TEST(ClothModel, OfAMeshOfQuadsHasTheGridsSpringsAndMass) {
     SceneDescription scene = bare_sheet(6, 5, 1.2, 0.9);
     const ClothModel grid = build_cloth(scene);

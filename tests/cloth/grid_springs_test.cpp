@@ -34,7 +34,8 @@ TEST(GridSprings, CountsOfOddShapes) {
     }
     EXPECT_EQ(counts_of(3, 3, BendLayout::interior), (Counts{12, 8, 6}));
     EXPECT_EQ(counts_of(3, 3, BendLayout::border), (Counts{12, 8, 4}));
-    EXPECT_EQ(counts_of(61, 41, BendLayout::interior), (Counts{60 * 41 + 61 * 40, 4800, 59 * 41 + 61 * 39}));
+    EXPECT_EQ(counts_of(61, 41, BendLayout::interior),
+              (Counts{60 * 41 + 61 * 40, 4800, 59 * 41 + 61 * 39}));
 }
 
 // Ends, rest length, stiffness and damping of every spring, against an independent list.
@@ -50,12 +51,14 @@ TEST(GridSprings, AreThoseOfAnIndependentList) {
                 std::map<Row, std::array<double, 3>> expected, found;
                 const NaiveCloth naive(scene);
                 for (const NaiveCloth::Spring& s : naive.springs()) {
-                    expected[{std::min(s.p, s.q), std::max(s.p, s.q), s.kind}] = {s.rest_length, s.k, s.c};
+                    expected[{std::min(s.p, s.q), std::max(s.p, s.q), s.kind}] = {s.rest_length,
+                                                                                  s.k, s.c};
                 }
                 build_cloth(scene).for_each_spring([&](const Spring& s, const SpringConstants& c) {
                     EXPECT_LT(s.p, s.q);
-                    const bool is_new = found.insert({{s.p, s.q, static_cast<int>(s.kind)},
-                                                      {s.rest_length, c.stiffness, c.damping}})
+                    const bool is_new = found
+                                            .insert({{s.p, s.q, static_cast<int>(s.kind)},
+                                                     {s.rest_length, c.stiffness, c.damping}})
                                             .second;
                     EXPECT_TRUE(is_new);
                 });
@@ -72,7 +75,8 @@ TEST(GridSprings, AreThoseOfAnIndependentList) {
 }
 
 // Per width, the springs across any cut add up to stiffness times width: pulled to a strain e along
-// x, a strip of height H holds K H e in its structural springs and again K_b H e in its bend springs.
+// x, a strip of height H holds K H e in its structural springs and again K_b H e in its bend
+// springs.
 TEST(GridSprings, PerWidthHoldTheTensionOfTheStrip) {
     for (const auto& [columns, rows] : {std::pair{9, 7}, {17, 13}, {33, 25}}) {
         const double width = 2.0, height = 0.9, strain = 0.01;

@@ -22,7 +22,8 @@ TEST(GridMass, IsAQuarterAtCornersAndAHalfOnBorders) {
     scene.material.mass_per_area = 0.8;
     const ClothModel cloth = build_cloth(scene);
     for (const std::size_t corner : {0u, 3u, 8u, 11u}) EXPECT_DOUBLE_EQ(cloth.masses[corner], 0.2);
-    for (const std::size_t border : {1u, 2u, 4u, 7u, 9u, 10u}) EXPECT_DOUBLE_EQ(cloth.masses[border], 0.4);
+    for (const std::size_t border : {1u, 2u, 4u, 7u, 9u, 10u})
+        EXPECT_DOUBLE_EQ(cloth.masses[border], 0.4);
     for (const std::size_t inner : {5u, 6u}) EXPECT_DOUBLE_EQ(cloth.masses[inner], 0.8);
     EXPECT_NEAR(cloth.total_mass(), 0.8 * 3.0 * 2.0, 1e-14);
 }

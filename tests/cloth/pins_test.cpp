@@ -50,7 +50,8 @@ TEST(PinSelectors, TakeListsAndBoxes) {
 }
 
 TEST(PinSelectors, MayOverlap) {
-    EXPECT_EQ(pinned_by({EdgeSelection::top_left, EdgeSelection::left_edge}), (Particles{0, 5, 10, 15}));
+    EXPECT_EQ(pinned_by({EdgeSelection::top_left, EdgeSelection::left_edge}),
+              (Particles{0, 5, 10, 15}));
 }
 
 std::string refusal(std::vector<PinDescription> pins) {
@@ -71,9 +72,10 @@ TEST(PinSelectors, ThatAreWrongAreRefused) {
     EXPECT_EQ(refusal({{EdgeSelection::top_left, {}}, {BoxSelection{{9, 9, 9}, {9, 9, 9}}, {}}}),
               "pins[1].select: a selector that picks no particle is not allowed: at least one "
               "particle must lie in it");
-    EXPECT_EQ(refusal({{EdgeSelection::top_edge, {}}, {EdgeSelection::top_right, {{0.0, {1, 0, 0}}}}}),
-              "pins[1].select: particle 4 (column 4, row 0) is not allowed: pins[0] already holds it "
-              "with another motion");
+    EXPECT_EQ(
+        refusal({{EdgeSelection::top_edge, {}}, {EdgeSelection::top_right, {{0.0, {1, 0, 0}}}}}),
+        "pins[1].select: particle 4 (column 4, row 0) is not allowed: pins[0] already holds it "
+        "with another motion");
 }
 
 TEST(PinMotion, IsSharedByTheParticlesOfItsPin) {
@@ -86,21 +88,26 @@ TEST(PinMotion, IsSharedByTheParticlesOfItsPin) {
     ASSERT_EQ(cloth.motions.size(), 2u);
     ASSERT_EQ(cloth.pins.size(), 6u);
     for (const Pin& pin : cloth.pins) {
-        const std::uint32_t expected = pin.particle == 0 ? Pin::no_motion : pin.particle == 15 ? 1 : 0;
+        const std::uint32_t expected = pin.particle == 0    ? Pin::no_motion
+                                       : pin.particle == 15 ? 1
+                                                            : 0;
         EXPECT_EQ(pin.motion, expected) << pin.particle;
         EXPECT_EQ(pin.rest, cloth.rest_position(pin.particle));
     }
 }
 
-const std::vector<PinKeyframe> path{{0.5, {0.1, 0.0, -1.0}}, {1.5, {0.3, 2.0, 0.0}}, {1.75, {0.2, -1.0, 0.5}}};
+const std::vector<PinKeyframe> path{
+    {0.5, {0.1, 0.0, -1.0}}, {1.5, {0.3, 2.0, 0.0}}, {1.75, {0.2, -1.0, 0.5}}};
 
 TEST(PinMotion, PassesThroughItsKeyframesAndRestsOutside) {
     for (const PinKeyframe& keyframe : path) {
         EXPECT_LT(length(pin_offset(path, keyframe.time).offset - keyframe.offset), 1e-15);
         EXPECT_EQ(length(pin_offset(path, keyframe.time).velocity), 0.0);
     }
-    for (const double time : {-3.0, 0.0, 0.5}) EXPECT_EQ(pin_offset(path, time).offset, path.front().offset);
-    for (const double time : {1.75, 2.0, 1e6}) EXPECT_EQ(pin_offset(path, time).offset, path.back().offset);
+    for (const double time : {-3.0, 0.0, 0.5})
+        EXPECT_EQ(pin_offset(path, time).offset, path.front().offset);
+    for (const double time : {1.75, 2.0, 1e6})
+        EXPECT_EQ(pin_offset(path, time).offset, path.back().offset);
     EXPECT_EQ(length(pin_offset(path, 0.4).velocity) + length(pin_offset(path, 2.0).velocity), 0.0);
 }
 
@@ -120,7 +127,8 @@ TEST(PinMotion, HasTheVelocityAndAccelerationOfItsOffset) {
         const PinOffset before = pin_offset(path, t - h), now = pin_offset(path, t),
                         after = pin_offset(path, t + h);
         EXPECT_LT(length(now.velocity - (after.offset - before.offset) / (2 * h)), 1e-7) << t;
-        EXPECT_LT(length(now.acceleration - (after.velocity - before.velocity) / (2 * h)), 1e-7) << t;
+        EXPECT_LT(length(now.acceleration - (after.velocity - before.velocity) / (2 * h)), 1e-7)
+            << t;
     }
 }
 
@@ -129,7 +137,7 @@ TEST(PinMotion, NeverJumpsInPlaceOrVelocity) {
     PinOffset before = pin_offset(path, 0.4);
     for (double t = 0.4 + h; t < 1.9; t += h) {
         const PinOffset now = pin_offset(path, t);
-        EXPECT_LT(length(now.offset - before.offset), 25.0 * h);      // top speed 19 m/s
+        EXPECT_LT(length(now.offset - before.offset), 25.0 * h);       // top speed 19 m/s
         EXPECT_LT(length(now.velocity - before.velocity), 400.0 * h);  // 300 m/s2
         before = now;
     }

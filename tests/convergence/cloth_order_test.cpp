@@ -1,5 +1,6 @@
 // Order of every integrator on a whole cloth: 6 x 6 particles, one corner held, one moved, with and
-// without damping and wind, against a reference that shares neither forces nor integrators with weft.
+// without damping and wind, against a reference that shares neither forces nor integrators with
+// weft.
 #include <gtest/gtest.h>
 
 #include "forces/wind.h"

@@ -62,8 +62,8 @@ TEST(PendulumOrder, ReferenceSolverAgreesWithTheReference) {
             out = {y[3], y[4], y[5], a.x, a.y, a.z};
         };
         const auto [x, v] = pendulum_start;
-        const Values y = extrapolate(slope, 0.0, pendulum_end_time, {x.x, x.y, x.z, v.x, v.y, v.z},
-                                     200);
+        const Values y =
+            extrapolate(slope, 0.0, pendulum_end_time, {x.x, x.y, x.z, v.x, v.y, v.z}, 200);
         const PointState end = pendulum_end[static_cast<std::size_t>(kind)];
         EXPECT_LT(length(Vec3d{y[0], y[1], y[2]} - end.x), 1e-12);
         EXPECT_LT(length(Vec3d{y[3], y[4], y[5]} - end.v), 1e-12);

@@ -83,6 +83,15 @@ class FileTest(CommandTest):
         self.assertEqual([name for name in self.listing("out") if name != "summary.json"],
                          ["small.pc2"])
 
+    def test_standard_output_that_cannot_be_written(self):
+        for arguments in (("list", "keys"), ("check", "sheet", "--json"),
+                          ("run", self.small_scene(), "--json")):
+            with self.subTest(command=arguments[0]), open("/dev/full", "w") as full:
+                done = subprocess.run([COMMAND, *map(str, arguments)], cwd=self.place, stdout=full,
+                                      stderr=subprocess.PIPE, text=True)
+                self.assertEqual(done.returncode, 3, done.stderr)
+                self.assertRegex(self.error_line(done), "No space left on device")
+
     def test_data_directory_without_scenes(self):
         self.fails("flag", says=r"holds no directory", env={"WEFT_DATA_DIR": str(self.place)})
 

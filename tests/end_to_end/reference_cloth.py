@@ -1,7 +1,8 @@
 """A second implementation of weft's cloth, in numpy, for the tests to hold against the engine.
 
 It is written from the stated physics and from docs/scene-format.md alone, and as plainly as possible: a
-list of springs built by loops over (i, j), forces added up with np.add.at, everything in double precision.
+list of springs built by loops over (i, j), forces added up particle by particle, everything in double
+precision.
 Its integrators stand in reference_integrators.py. SI units; arrays of vectors have the shape [particle, 3].
 """
 
@@ -209,6 +210,11 @@ class Wind:
         return force
 
 
+def summed(count, owners, vectors):
+    """Sums [count, 3] of the vectors by owner."""
+    return np.stack([np.bincount(owners, vectors[:, n], count) for n in range(3)], axis=1)
+
+
 class Cloth:
     """The ordinary differential equation M x'' = f(t, x, v) of a scene, with its constraints."""
 
@@ -235,12 +241,12 @@ class Cloth:
         u = d / np.where(length > 0, length, 1)[:, None]  # no direction, no force
         rate = np.sum((v[self.q] - v[self.p]) * u, axis=1)
         tension = self.stiffness * (length - self.length) + self.damping * rate
-        np.add.at(force, self.p, tension[:, None] * u)
-        np.add.at(force, self.q, -tension[:, None] * u)
+        force += summed(len(x), self.p, tension[:, None] * u)
+        force -= summed(len(x), self.q, tension[:, None] * u)
         if self.wind is not None:
             on_triangle = self.wind.triangle_forces(t, x[self.triangles], v[self.triangles])
             for corner in range(3):
-                np.add.at(force, self.triangles[:, corner], on_triangle / 3)
+                force += summed(len(x), self.triangles[:, corner], on_triangle / 3)
         return force
 
     def acceleration(self, t, x, v):

@@ -61,6 +61,13 @@ class OutputTest(CommandTest):
         for name in self.listing("out"):
             self.assertIn(f"out/{name}\n", done.stdout)
 
+    def test_recordings_that_share_files_name_them_once(self):
+        done = self.weft("run", self.small_scene(), "-o", "out", "--frames", 2,
+                         *settings(output__formats='["pc2", "mdd"]'))
+        files = self.summary("out")["files"]
+        self.assertEqual(sorted(files), [f"out/{name}" for name in self.listing("out")])
+        self.assertEqual(done.stdout.splitlines()[1:], files)
+
     def test_a_step_beyond_the_limit_is_warned_of_before_the_start(self):
         done = self.weft("run", self.small_scene(), "--frames", 1, *settings(
             integrator__time_step=0.02, output__frames_per_second=50))
@@ -154,7 +161,12 @@ class DeterminismTest(CommandTest):
 
     def test_flag_in_gusts(self):
         self.assert_all_same("flag", "--frames", 2, *settings(
-            cloth__resolution="[130,90]", integrator__time_step=0.00015, output__frames_per_second=500, output__formats="[]"))
+            cloth__resolution="[130,90]", integrator__time_step=0.00015,
+            output__frames_per_second=500, output__formats="[]"))
+
+    def test_automatic_step(self):
+        """Ten frames, so that the step is estimated anew on the way."""
+        self.assert_all_same("flag", "--frames", 10, *settings(output__formats="[]"))
 
     def test_mesh(self):
         self.assert_all_same("mesh-cape", "--frames", 2, *settings(output__formats="[]"))

@@ -1,5 +1,5 @@
-// The force of the air: Hoerner's plate at every angle, and the grid's kernel against the mesh's and
-// a plain loop.
+// The force of the air: Hoerner's plate at every angle, and the grid's kernel against the mesh's
+// and a plain loop.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -33,7 +33,8 @@ TEST(PlateForce, IsHoernersAtEveryAngle) {
     for (const double degrees : {1.0, 5.0, 15.0, 30.0, 45.0, 60.0, 80.0, 90.0}) {
         for (const double side : {1.0, -1.0}) {
             const double a = degrees * std::numbers::pi / 180.0;
-            const Vec3d wind = speed * Vec3d{0.6 * std::cos(a), 0.8 * std::cos(a), side * std::sin(a)};
+            const Vec3d wind =
+                speed * Vec3d{0.6 * std::cos(a), 0.8 * std::cos(a), side * std::sin(a)};
             const Vec3d f = force_on_plate(wind);
             const double coefficient = 1.0 / (0.222 + 0.283 / std::sin(a));
             EXPECT_NEAR(f.z, side * 0.5 * rho * speed * speed * area * coefficient, 1e-12);
@@ -127,8 +128,18 @@ TYPED_TEST_SUITE(GridAirKernel, Precisions);
 
 template <typename Visit>
 void for_each_size(const Visit& visit) {
-    for (const auto& [columns, rows] : {std::pair{2, 2}, {2, 5}, {5, 2}, {3, 3}, {9, 7}, {17, 4},
-                                        {256, 3}, {257, 3}, {258, 4}, {300, 3}, {514, 3}, {3, 200}}) {
+    for (const auto& [columns, rows] : {std::pair{2, 2},
+                                        {2, 5},
+                                        {5, 2},
+                                        {3, 3},
+                                        {9, 7},
+                                        {17, 4},
+                                        {256, 3},
+                                        {257, 3},
+                                        {258, 4},
+                                        {300, 3},
+                                        {514, 3},
+                                        {3, 200}}) {
         SceneDescription scene = bare_sheet(columns, rows, 0.1 * (columns - 1), 0.13 * (rows - 1));
         scene.wind = air_of();
         scene.wind->drag = 0.7;

@@ -30,7 +30,8 @@ std::vector<Vec3d> difference_of_forces(const ClothModel& cloth, ParticleState<d
     const Vec3Array<double> x = state.x;
     std::vector<Vec3d> result(cloth.particle_count);
     for (const double side : {1.0, -1.0}) {
-        for (std::size_t p = 0; p < cloth.particle_count; ++p) state.x.set(p, x[p] + side * h * u[p]);
+        for (std::size_t p = 0; p < cloth.particle_count; ++p)
+            state.x.set(p, x[p] + side * h * u[p]);
         const Vec3Array<double> f = spring_forces(cloth, state);
         for (std::size_t p = 0; p < cloth.particle_count; ++p) result[p] += (side / (2 * h)) * f[p];
     }
@@ -59,7 +60,8 @@ TEST(StiffnessProduct, AtRestHoldsNothingAcrossTheSheet) {
     const ClothModel cloth = build_cloth(bare_sheet(5, 4));
     const auto state = rest_state<double>(cloth);
     Vec3Array<double> u(cloth.particle_count), product(cloth.particle_count);
-    for (std::size_t p = 0; p < cloth.particle_count; ++p) u.set(p, {0.0, 0.0, random_vector(1, p).z});
+    for (std::size_t p = 0; p < cloth.particle_count; ++p)
+        u.set(p, {0.0, 0.0, random_vector(1, p).z});
     stiffness_product<double>(cloth, state.x.view(), u.view(), product.view());
     EXPECT_LT(largest(as_vectors(product)), 1e-12);
 }
@@ -92,7 +94,8 @@ TEST(StiffnessProduct, OfASpringWithoutLengthIsNothing) {
     EXPECT_EQ(product[1], Vec3d{});
 }
 
-// Dashpots and drag are linear in velocity: the product is their force at v = u, with its sign changed.
+// Dashpots and drag are linear in velocity: the product is their force at v = u, with its sign
+// changed.
 TEST(DampingProduct, IsMinusTheForceOfDashpotsAndDrag) {
     for (const bool as_mesh : {false, true}) {
         SceneDescription scene = bare_sheet(5, 4, 1.0, 0.6);

@@ -1,5 +1,5 @@
-// What must hold of the spring forces: the gradient of their energy, no net force or torque, dashpots
-// that only take energy, the third law.
+// What must hold of the spring forces: the gradient of their energy, no net force or torque,
+// dashpots that only take energy, the third law.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -120,9 +120,10 @@ TEST_P(SpringForces, TurnWithTheCloth) {
     const ClothModel cloth = build_cloth(scene_);
     ParticleState<double> state = disturbed_state<double>(cloth, 0.2);
     const std::vector<Vec3d> f = forces(state);
-    const auto turn = [](Vec3d a) { return Vec3d{0.36 * a.x + 0.48 * a.y - 0.8 * a.z,
-                                                 -0.8 * a.x + 0.6 * a.y,
-                                                 0.48 * a.x + 0.64 * a.y + 0.6 * a.z}; };
+    const auto turn = [](Vec3d a) {
+        return Vec3d{0.36 * a.x + 0.48 * a.y - 0.8 * a.z, -0.8 * a.x + 0.6 * a.y,
+                     0.48 * a.x + 0.64 * a.y + 0.6 * a.z};
+    };
     for (std::size_t p = 0; p < cloth.particle_count; ++p) {
         state.x.set(p, turn(state.x[p]) + Vec3d{2.0, -1.0, 0.5});
         state.v.set(p, turn(state.v[p]) + Vec3d{-3.0, 0.0, 1.0});

@@ -1,5 +1,6 @@
-// The grid's spring kernel against its scalar twin and against any split into bands, to the bit; and
-// against the mesh's kernel and a plain loop, to rounding. Sizes cover tails and the tile of 256.
+// The grid's spring kernel against its scalar twin and against any split into bands, to the bit;
+// and against the mesh's kernel and a plain loop, to rounding. Sizes cover tails and the tile of
+// 256.
 #include <gtest/gtest.h>
 
 #include "support/cloth_forces.h"
@@ -12,14 +13,14 @@ struct Size {
     int columns, rows;
 };
 
-const std::vector<Size> sizes{{2, 2},   {2, 3},   {3, 2},   {3, 3},   {4, 5},   {5, 9},    {7, 7},
-                              {8, 4},   {9, 3},   {15, 6},  {16, 5},  {17, 4},  {31, 3},   {33, 7},
-                              {65, 5},  {255, 3}, {256, 3}, {257, 4}, {258, 3}, {259, 2},  {300, 5},
+const std::vector<Size> sizes{{2, 2},   {2, 3},   {3, 2},   {3, 3},   {4, 5},   {5, 9},   {7, 7},
+                              {8, 4},   {9, 3},   {15, 6},  {16, 5},  {17, 4},  {31, 3},  {33, 7},
+                              {65, 5},  {255, 3}, {256, 3}, {257, 4}, {258, 3}, {259, 2}, {300, 5},
                               {512, 3}, {513, 3}, {514, 4}, {515, 2}, {2, 300}, {3, 270}};
 
 SceneDescription scene_of(Size size, StiffnessPer per, BendLayout layout, bool damped) {
-    SceneDescription scene = bare_sheet(size.columns, size.rows, 0.1 * (size.columns - 1),
-                                        0.13 * (size.rows - 1));
+    SceneDescription scene =
+        bare_sheet(size.columns, size.rows, 0.1 * (size.columns - 1), 0.13 * (size.rows - 1));
     scene.material.stiffness_per = per;
     scene.material.bend_layout = layout;
     if (damped) add_dashpots(scene, 0.02);

@@ -12,9 +12,16 @@ namespace {
 TEST(Catalogue, HasTheMethodsOfTheTableInTheirOrder) {
     std::vector<std::string> names;
     for (const IntegratorInfo& info : integrator_catalogue()) names.emplace_back(info.name);
-    const std::vector<std::string> expected{
-        "forward-euler", "symplectic-euler", "verlet", "time-corrected-verlet", "velocity-verlet",
-        "rk2",           "rk3",              "rk4",    "yoshida4",              "forest-ruth"};
+    const std::vector<std::string> expected{"forward-euler",
+                                            "symplectic-euler",
+                                            "verlet",
+                                            "time-corrected-verlet",
+                                            "velocity-verlet",
+                                            "rk2",
+                                            "rk3",
+                                            "rk4",
+                                            "yoshida4",
+                                            "forest-ruth"};
     EXPECT_EQ(names, expected);
 }
 
@@ -43,7 +50,8 @@ TEST(Evaluations, PerStepAreAsStatedOnceStarted) {
     }
 }
 
-// Going back to a saved history and state repeats the run to the bit; so the replay of a frame does.
+// Going back to a saved history and state repeats the run to the bit; so the replay of a frame
+// does.
 TEST(History, RestoredGivesTheSameBits) {
     for (const IntegratorInfo& info : integrator_catalogue()) {
         SpringPendulum pendulum(Pendulum::damped);
@@ -68,7 +76,8 @@ TEST(History, RestoredGivesTheSameBits) {
 TEST(History, IsForgottenByARestart) {
     for (const IntegratorInfo& info : integrator_catalogue()) {
         SpringPendulum pendulum(Pendulum::damped);
-        const auto used = make_integrator<double>(info.name), fresh = make_integrator<double>(info.name);
+        const auto used = make_integrator<double>(info.name),
+                   fresh = make_integrator<double>(info.name);
         used->prepare(1);
         fresh->prepare(1);
         ParticleState<double> a = state_of(pendulum_start), b = a;

@@ -157,7 +157,8 @@ TEST(UpdateFormulas, EveryMethodStepsAsItsFormula) {
                 return pendulum.acceleration(t, x, v);
             };
             const double start = 0.4;  // [s]; not 0, so that a lost time shows
-            const auto path = formulas.at(info.name)(a, {pendulum_start.x, pendulum_start.v, start});
+            const auto path =
+                formulas.at(info.name)(a, {pendulum_start.x, pendulum_start.v, start});
             const auto integrator = make_integrator<double>(info.name);
             integrator->prepare(1);
             ParticleState<double> state = state_of(pendulum_start, start);
@@ -172,7 +173,8 @@ TEST(UpdateFormulas, EveryMethodStepsAsItsFormula) {
     }
 }
 
-// x+ = x + (x - x_prev) dt/dt_prev + a dt (dt + dt_prev)/2 with steps that change by half and double.
+// x+ = x + (x - x_prev) dt/dt_prev + a dt (dt + dt_prev)/2 with steps that change by half and
+// double.
 TEST(UpdateFormulas, TimeCorrectedVerletTakesTheChangeOfStep) {
     SpringPendulum pendulum(Pendulum::free);
     const auto a = [&](Vec3d x) { return pendulum.acceleration(0.0, x, {}); };
@@ -198,7 +200,8 @@ TEST(UpdateFormulas, TimeCorrectedVerletTakesTheChangeOfStep) {
 // "verlet" knows no change of step: it starts anew from x and v.
 TEST(UpdateFormulas, VerletStartsAnewWhenTheStepChanges) {
     SpringPendulum pendulum(Pendulum::free);
-    const auto continued = make_integrator<double>("verlet"), fresh = make_integrator<double>("verlet");
+    const auto continued = make_integrator<double>("verlet"),
+               fresh = make_integrator<double>("verlet");
     continued->prepare(1);
     fresh->prepare(1);
     ParticleState<double> a = state_of(pendulum_start);

@@ -40,8 +40,9 @@ Eigen::MatrixXd random_semidefinite(Eigen::Index size, std::uint64_t seed) {
     Eigen::MatrixXd factor(size, size);
     for (Eigen::Index i = 0; i < size; ++i) {
         for (Eigen::Index j = 0; j < size; ++j) {
-            factor(i, j) = random_uniform(seed, static_cast<std::uint64_t>(i),
-                                          static_cast<std::uint64_t>(j)) - 0.5;
+            factor(i, j) =
+                random_uniform(seed, static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(j)) -
+                0.5;
         }
     }
     return factor * factor.transpose();

@@ -3,6 +3,7 @@
 
 #include "support/cloth_scenes.h"
 #include "weft/error.h"
+#include "weft/integrators.h"
 #include "weft/simulation.h"
 
 namespace weft::test {
@@ -20,7 +21,8 @@ TEST(StepControl, MakesWholeStepsInAFrame) {
     const auto steps = [](double dt, double fps) {
         const Simulation simulation(stepped(dt, fps));
         EXPECT_LE(simulation.time_step(), dt * (1 + 1e-12));
-        EXPECT_NEAR(simulation.time_step() * static_cast<double>(simulation.steps_per_frame()), 1 / fps, 1e-15);
+        EXPECT_NEAR(simulation.time_step() * static_cast<double>(simulation.steps_per_frame()),
+                    1 / fps, 1e-15);
         return simulation.steps_per_frame();
     };
     EXPECT_EQ(steps(0.001, 30.0), 34u);  // 33.3
@@ -34,13 +36,15 @@ TEST(StepControl, MakesWholeStepsInAFrame) {
 }
 
 TEST(StepControl, TakesNineTenthsOfTheStableStepByItself) {
-    for (const char* method : {"velocity-verlet", "verlet", "rk3", "rk4", "symplectic-euler", "yoshida4"}) {
+    for (const char* method :
+         {"velocity-verlet", "verlet", "rk3", "rk4", "symplectic-euler", "yoshida4"}) {
         SceneDescription scene = bare_sheet(6, 6);
         scene.integrator.method = method;
         const Simulation simulation(scene);
         const double wanted = 0.9 * simulation.stable_step(method);
         EXPECT_LE(simulation.time_step(), wanted);
-        EXPECT_EQ(simulation.steps_per_frame(), static_cast<std::size_t>(std::ceil(1.0 / 30.0 / wanted)))
+        EXPECT_EQ(simulation.steps_per_frame(),
+                  static_cast<std::size_t>(std::ceil(1.0 / 30.0 / wanted)))
             << method;
     }
 }
@@ -128,7 +132,8 @@ TEST(StepControl, MovesPinsAsTheirKeyframesSay) {
         EXPECT_LT(length(frame.velocities[0] - 1.5 * Vec3d{0.4, 0.1, -0.3}), 1e-14) << info.name;
         EXPECT_EQ(frame.positions[15], (Vec3d{1.0, -1.0, 0.0}));
         EXPECT_EQ(frame.velocities[15], Vec3d{});
-        EXPECT_GT(length(frame.positions[1] - Vec3d{1.0 / 3, 0, 0}), 0.01) << info.name;  // dragged along
+        EXPECT_GT(length(frame.positions[1] - Vec3d{1.0 / 3, 0, 0}), 0.01)
+            << info.name;  // dragged along
     }
 }
 

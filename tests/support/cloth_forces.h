@@ -49,8 +49,9 @@ template <typename Real>
 Vec3Array<Real> grid_air_forces(const WindDescription& wind, const GridShape& shape, Vec3d velocity,
                                 const ParticleState<Real>& state) {
     Vec3Array<Real> f(state.x.size());
-    GridAir<Real>(wind, shape).add_forces(vec3_cast<Real>(velocity), state.x.view(),
-                                          state.v.view(), f.view(), 0, shape.rows);
+    GridAir<Real>(wind, shape)
+        .add_forces(vec3_cast<Real>(velocity), state.x.view(), state.v.view(), f.view(), 0,
+                    shape.rows);
     return f;
 }
 

@@ -9,8 +9,8 @@
 
 namespace weft::test {
 
-/// The mass-scaled stiffness matrix of the grid at rest, pinned particles left out; spring by spring
-/// k n n^T.
+/// The mass-scaled stiffness matrix of the grid at rest, pinned particles left out; spring by
+/// spring k n n^T.
 inline Eigen::MatrixXd dense_stiffness(const SceneDescription& scene,
                                        const std::set<std::size_t>& pinned) {
     const NaiveCloth cloth(scene);
@@ -42,10 +42,9 @@ inline Eigen::MatrixXd dense_stiffness(const SceneDescription& scene,
 inline double dense_omega_max(const SceneDescription& scene,
                               const std::set<std::size_t>& pinned = {}) {
     const Eigen::MatrixXd matrix = dense_stiffness(scene, pinned);
-    return std::sqrt(
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly)
-            .eigenvalues()
-            .maxCoeff());
+    return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly)
+                         .eigenvalues()
+                         .maxCoeff());
 }
 
 }  // namespace weft::test

@@ -36,8 +36,8 @@ public:
                 double area = dx_ * dy_;
                 if (i == 0 || i == columns_ - 1) area /= 2;
                 if (j == 0 || j == rows_ - 1) area /= 2;
-                masses.push_back(scene_.material.particle_mass.value_or(
-                    scene_.material.mass_per_area * area));
+                masses.push_back(
+                    scene_.material.particle_mass.value_or(scene_.material.mass_per_area * area));
             }
         }
         return masses;
@@ -125,7 +125,8 @@ private:
         const Vec3d v_t = relative - v_n * n;
         const double rho = scene_.wind->air_density;
         const Vec3d force = (scene_.wind->drag * 0.5 * rho * area * speed * speed * v_n /
-                             (0.222 * std::abs(v_n) + 0.283 * speed)) * n +
+                             (0.222 * std::abs(v_n) + 0.283 * speed)) *
+                                n +
                             (0.5 * rho * 2 * area * scene_.wind->skin_friction * length(v_t)) * v_t;
         for (const std::size_t corner : {a, b, c}) f[corner] += force / 3.0;
     }

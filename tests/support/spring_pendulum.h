@@ -1,5 +1,5 @@
-// A particle on a spring that hangs from a point: a small nonlinear system for measuring integrators.
-// Nonlinear on purpose: linear problems test only some of the order conditions.
+// A particle on a spring that hangs from a point: a small nonlinear system for measuring
+// integrators. Nonlinear on purpose: linear problems test only some of the order conditions.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ enum class Pendulum {
     forced,  ///< undamped, hung from a point that moves
 };
 
-/// a = -(k/m) (|d| - L) d/|d| + g - damping, with d = x - anchor(t); k/m = 25 /s2, L = 1 m. The same
-/// numbers stand in tools/reference_solutions.py.
+/// a = -(k/m) (|d| - L) d/|d| + g - damping, with d = x - anchor(t); k/m = 25 /s2, L = 1 m. The
+/// same numbers stand in tools/reference_solutions.py.
 class SpringPendulum final : public DynamicsSystem<double> {
 public:
     explicit SpringPendulum(Pendulum kind) : kind_(kind) {}
