@@ -7,6 +7,10 @@ target_compile_options(weft_flags INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
     -ffp-contract=off -fno-math-errno -fno-trapping-math
     $<$<CONFIG:Release>:-O3>)
+# GCC 12 sees overlapping copies in std::string's operator+ where there are none (GCC bug 105651).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    target_compile_options(weft_flags INTERFACE -Wno-restrict)
+endif()
 if(WEFT_SANITIZE)
     target_compile_options(weft_flags INTERFACE
         -fsanitize=${WEFT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

@@ -94,6 +94,21 @@ double rayleigh_quotient(const Vec3Array<Real>& vector, const Product& product) 
     return dot_product(vector, image);
 }
 
+// A composition with a negative kick amplifies damped modes well below the fastest: between zero and
+// it, modes are damped at about the rate alpha + beta omega^2 of Rayleigh's model, fitted to the
+// fastest.
+void add_slower_modes(StabilityModes& found, double alpha) {
+    const Mode fastest = found.modes.front();
+    if (!(fastest.damping_rate > 0.0)) return;
+    const double beta =
+        std::max(fastest.damping_rate - alpha, 0.0) / (fastest.omega * fastest.omega);
+    constexpr int samples = 20;
+    for (int n = 1; n < samples; ++n) {
+        const double omega = fastest.omega * n / samples;
+        found.modes.push_back({omega, alpha + beta * omega * omega});
+    }
+}
+
 template <typename Real>
 StabilityModes stability_modes(const ClothModel& cloth, const ForcesDescription& forces,
                                const ClothSystem<Real>& system, ConstVec3View<Real> x,
@@ -126,6 +141,7 @@ StabilityModes stability_modes(const ClothModel& cloth, const ForcesDescription&
     if (forces.damping > 0.0) {
         found.modes.push_back(damped_mode(1e-3 * fastest.omega, forces.damping / *lightest));
     }
+    add_slower_modes(found, forces.damping * static_cast<double>(count) / cloth.total_mass());
     return found;
 }
 

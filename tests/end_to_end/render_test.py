@@ -106,7 +106,7 @@ class RefusalTest(CommandTest):
                      *settings(render__texture="text.png"))
 
     def test_place_that_cannot_be_written(self):
-        self.refused(3, "nowhere/a.png.*No such file", self.small_scene(), "-o", "nowhere/a.png",
+        self.refused(3, "nowhere/a.png: there is no directory", self.small_scene(), "-o", "nowhere/a.png",
                      "--frames", 1)
         self.refused(3, "nowhere/a.mp4", self.small_scene(), "-o", "nowhere/a.mp4", "--frames", 1)
 

@@ -235,6 +235,7 @@ TEST_P(AnyPicture, MissingDirectoryIsAFileError) {
 }
 
 TEST_P(AnyPicture, FullDiskIsAFileErrorAndLeavesNothing) {
+    test::small_texture();  // is made on the first call: not once the disk is full
     const ScratchDirectory scratch;
     WavingCloth cloth = test::waving_grid(21, 15);
     for (const rlim_t bytes : {rlim_t{0}, rlim_t{1'000}, rlim_t{4'000}}) {

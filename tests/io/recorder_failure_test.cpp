@@ -94,6 +94,7 @@ TEST_P(FileRecorder, OneFrameIsARecording) {
 }
 
 TEST_P(FileRecorder, FullDiskIsAFileErrorAndLeavesNothing) {
+    test::small_texture();  // is made on the first call: not once the disk is full
     ScratchDirectory scratch;
     auto cloth = test::waving_grid(60, 60);  // a frame has 43200 bytes or more
     // From a disk that takes nothing to one that fills up at the last byte of the third frame.

@@ -77,7 +77,7 @@ TEST(SceneOverride, BringsTheWindWhereThereIsNone) {
     const SceneDescription scene = with(towel, {{"wind.gust.spread", "0.1"}});
     ASSERT_TRUE(scene.wind);
     EXPECT_EQ(scene.wind->gust.spread, 0.1);
-    EXPECT_EQ(scene.wind->velocity, (Vec3d{4.0, 0.0, 1.2}));
+    EXPECT_EQ(scene.wind->velocity, (WindDescription{}.velocity));
 }
 
 TEST(SceneOverride, MakesATableOfAWord) {
