@@ -9,7 +9,7 @@ cmake --build --preset release
 
 out=weft-out/flag
 ./build/release/weft run flag -o "$out" "$@"
-./build/release/weft render flag -o "$out/flag.png" --frame 75 --quiet
+./build/release/weft render flag -o "$out/flag.png" --frame 140 --quiet
 
 cat <<TEXT
 

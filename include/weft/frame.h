@@ -17,10 +17,10 @@ struct Surface {
     static constexpr std::uint32_t no_vertex = 0xffffffff;
 
     std::size_t particle_count = 0;
-    std::vector<std::uint32_t> vertex_particle;              ///< [vertex]; empty: vertex = particle
-    std::vector<std::array<float, 2>> uvs;                   ///< [vertex], v upward
-    std::vector<std::array<std::uint32_t, 3>> triangles;     ///< vertices, counter-clockwise in front
-    std::vector<std::array<std::uint32_t, 4>> faces;         ///< quads, or triangles ending in no_vertex
+    std::vector<std::uint32_t> vertex_particle;           ///< [vertex]; empty: vertex = particle
+    std::vector<std::array<float, 2>> uvs;                ///< [vertex], v upward
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< vertices, counter-clockwise in front
+    std::vector<std::array<std::uint32_t, 4>> faces;  ///< quads, or triangles ending in no_vertex
 
     [[nodiscard]] std::size_t vertex_count() const { return uvs.size(); }
     [[nodiscard]] std::uint32_t particle(std::uint32_t vertex) const {
@@ -31,10 +31,10 @@ struct Surface {
 /// The cloth at one moment: a view, valid as long as its owner says. Frame 0 is the initial state.
 struct Frame {
     std::size_t index = 0;
-    double time = 0.0;                                       ///< [s]
-    std::span<const Vec3d> positions;                        ///< [particle], [m]
-    std::span<const Vec3d> velocities;                       ///< [particle], [m/s]
-    std::span<const Vec3f> normals;                          ///< [particle], unit or zero
+    double time = 0.0;                  ///< [s]
+    std::span<const Vec3d> positions;   ///< [particle], [m]
+    std::span<const Vec3d> velocities;  ///< [particle], [m/s]
+    std::span<const Vec3f> normals;     ///< [particle], unit or zero
 };
 
 /// Vertex normals: the sum of the cross products of the triangles around each particle (so weighted
@@ -46,9 +46,9 @@ void compute_normals(const Surface& surface, std::span<const Vec3d> positions,
 /// Storage of one frame, reused from frame to frame.
 struct FrameBuffer {
     std::size_t index = 0;
-    double time = 0.0;                                       ///< [s]
-    std::vector<Vec3d> positions, velocities;                ///< [particle], [m], [m/s]
-    std::vector<Vec3f> normals;                              ///< [particle]
+    double time = 0.0;                         ///< [s]
+    std::vector<Vec3d> positions, velocities;  ///< [particle], [m], [m/s]
+    std::vector<Vec3f> normals;                ///< [particle]
 
     [[nodiscard]] Frame view() const { return {index, time, positions, velocities, normals}; }
 };

@@ -8,14 +8,14 @@ namespace weft {
 
 /// A row of `weft list integrators`.
 struct IntegratorInfo {
-    std::string_view name;           ///< key in scene files: "velocity-verlet"
-    int order;                       ///< the global error is O(dt^order), for smooth forces
-    int damped_order;                ///< the same where forces depend on velocity
-    int evaluations;                 ///< of the forces, per step
-    bool symplectic;                 ///< energy error stays bounded for conservative forces
-    double imaginary_limit;          ///< undamped: stable up to dt * omega; 0: at no step
-    std::string_view formula;        ///< the update
-    std::string_view reference;      ///< where it comes from
+    std::string_view name;       ///< key in scene files: "velocity-verlet"
+    int order;                   ///< the global error is O(dt^order), for smooth forces
+    int damped_order;            ///< the same where forces depend on velocity
+    int evaluations;             ///< of the forces, per step
+    bool symplectic;             ///< energy error stays bounded for conservative forces
+    double imaginary_limit;      ///< undamped: stable up to dt * omega; 0: at no step
+    std::string_view formula;    ///< the update
+    std::string_view reference;  ///< where it comes from
 };
 
 /// All integrators, in menu order.

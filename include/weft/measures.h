@@ -9,7 +9,7 @@ namespace weft {
 /// Energies by kind [J].
 struct Energy {
     double kinetic = 0.0;
-    double gravity = 0.0;            ///< -sum m g.x, zero at the origin
+    double gravity = 0.0;  ///< -sum m g.x, zero at the origin
     double structural = 0.0, shear = 0.0, bend = 0.0;
 
     [[nodiscard]] double springs() const { return structural + shear + bend; }
@@ -18,10 +18,10 @@ struct Energy {
 
 /// Work done on the cloth since the start by what has no energy [J].
 struct Work {
-    double dashpots = 0.0;           ///< in the springs; never positive
-    double drag = 0.0;               ///< on the particles; never positive
+    double dashpots = 0.0;  ///< in the springs; never positive
+    double drag = 0.0;      ///< on the particles; never positive
     double air = 0.0;
-    double pins = 0.0;               ///< by moving pins
+    double pins = 0.0;  ///< by moving pins
 
     [[nodiscard]] double total() const { return dashpots + drag + air + pins; }
 };
@@ -29,8 +29,8 @@ struct Work {
 /// A spring and how far it is from its rest length L: strain = l / L - 1.
 struct SpringStrain {
     double strain = 0.0;
-    std::size_t p = 0, q = 0;        ///< its particles
-    std::string_view kind;           ///< "structural", "shear" or "bend"
+    std::size_t p = 0, q = 0;  ///< its particles
+    std::string_view kind;     ///< "structural", "shear" or "bend"
 };
 
 }  // namespace weft

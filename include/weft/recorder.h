@@ -15,13 +15,13 @@ namespace weft {
 
 /// What a recorder is told before the first frame.
 struct RecordingPlan {
-    std::filesystem::path directory;         ///< exists
-    std::string stem;                        ///< files are named after it: "flag" -> "flag.pc2"
-    std::string title;                       ///< the scene's name
-    const Surface* surface = nullptr;        ///< outlives the recorder
-    std::size_t frame_count = 0;             ///< frames to come, frame 0 included; fewer may come
+    std::filesystem::path directory;   ///< exists
+    std::string stem;                  ///< files are named after it: "flag" -> "flag.pc2"
+    std::string title;                 ///< the scene's name
+    const Surface* surface = nullptr;  ///< outlives the recorder
+    std::size_t frame_count = 0;       ///< frames to come, frame 0 included; fewer may come
     double frames_per_second = 30.0;
-    Precision precision = Precision::f32;    ///< of the run
+    Precision precision = Precision::f32;  ///< of the run
     RenderDescription render;
 };
 
@@ -44,8 +44,8 @@ public:
 
 /// A row of `weft list formats`.
 struct FormatInfo {
-    std::string_view name;                   ///< key in output.formats: "pc2"
-    std::string_view files;                  ///< "NAME.pc2, NAME.obj, open_in_blender.py"
+    std::string_view name;   ///< key in output.formats: "pc2"
+    std::string_view files;  ///< "NAME.pc2, NAME.obj, open_in_blender.py"
     std::string_view description;
 };
 std::span<const FormatInfo> format_catalogue();

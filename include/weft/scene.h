@@ -19,24 +19,31 @@
 
 namespace weft {
 
-enum class Plane { xy, xz };                        ///< hangs (y up), or lies
-enum class StiffnessPer { spring, width };          ///< unit of every stiffness and damping
-enum class BendLayout { interior, border };         ///< PHYSICS: all (i,j)-(i+2,j), or borders only
-enum class Precision { f32, f64 };                  ///< "single", "double"
+enum class Plane { xy, xz };                 ///< hangs (y up), or lies
+enum class StiffnessPer { spring, width };   ///< unit of every stiffness and damping
+enum class BendLayout { interior, border };  ///< PHYSICS: all (i,j)-(i+2,j), or borders only
+enum class Precision { f32, f64 };           ///< "single", "double"
 enum class OnDivergence { stop, halve_step };
 enum class GustModel { none, coefficient };
-enum class EdgeSelection {                          ///< parts of a grid
-    top_left, top_right, bottom_left, bottom_right, left_edge, right_edge, top_edge, bottom_edge
+enum class EdgeSelection {  ///< parts of a grid
+    top_left,
+    top_right,
+    bottom_left,
+    bottom_right,
+    left_edge,
+    right_edge,
+    top_edge,
+    bottom_edge
 };
 
 /// A sheet of columns x rows particles; particle (column i, row j) has index j * columns + i and
 /// starts at origin + (i dx, -j dy, 0) in plane xy, origin + (i dx, 0, j dy) in plane xz, with
 /// dx = size[0] / (columns - 1) and dy = size[1] / (rows - 1).
 struct GridDescription {
-    std::array<double, 2> size{1.5, 1.0};           ///< width, height [m]
-    std::array<int, 2> resolution{61, 41};          ///< columns, rows; at least 2 each
+    std::array<double, 2> size{1.5, 1.0};   ///< width, height [m]
+    std::array<int, 2> resolution{61, 41};  ///< columns, rows; at least 2 each
     Plane plane = Plane::xy;
-    Vec3d origin{0.0, 2.0, 0.0};                    ///< of particle (0, 0) [m]
+    Vec3d origin{0.0, 2.0, 0.0};  ///< of particle (0, 0) [m]
 };
 
 /// A polygon mesh as a file has it: vertices may be doubled along texture seams.
@@ -44,21 +51,21 @@ struct Mesh {
     /// Corners of one triangle or quad, as indices into `positions` and `uvs`.
     struct Face {
         std::array<std::uint32_t, 4> position{};
-        std::array<std::uint32_t, 4> uv{};          ///< not read where `uvs` is empty
-        int corners = 3;                            ///< 3 or 4
+        std::array<std::uint32_t, 4> uv{};  ///< not read where `uvs` is empty
+        int corners = 3;                    ///< 3 or 4
     };
-    std::vector<Vec3d> positions;                   ///< [vertex], [m]
-    std::vector<std::array<float, 2>> uvs;          ///< v upward; may be empty
+    std::vector<Vec3d> positions;           ///< [vertex], [m]
+    std::vector<std::array<float, 2>> uvs;  ///< v upward; may be empty
     std::vector<Face> faces;
     /// [face] the polygon of the file it was cut from, from 0; empty: every face is its own.
     std::vector<std::uint32_t> source_faces;
-    int first_number = 1;                           ///< of vertices and faces in messages
+    int first_number = 1;  ///< of vertices and faces in messages
 };
 
 struct ClothDescription {
     GridDescription grid;
-    std::string mesh_path;                          ///< as read, resolved; empty: the grid is used
-    std::shared_ptr<const Mesh> mesh;               ///< null: the grid is used
+    std::string mesh_path;             ///< as read, resolved; empty: the grid is used
+    std::shared_ptr<const Mesh> mesh;  ///< null: the grid is used
 };
 
 /// Stiffness and dashpot of one kind of spring. Per spring: [N/m] and [N s/m]. Per width: the
@@ -69,9 +76,9 @@ struct SpringMaterial {
 };
 
 struct MaterialDescription {
-    std::string fabric = "flag";                    ///< preset whose values stand below
-    double mass_per_area = 0.12;                    ///< [kg/m2]
-    std::optional<double> particle_mass;            ///< [kg]; given, it replaces mass_per_area
+    std::string fabric = "flag";          ///< preset whose values stand below
+    double mass_per_area = 0.12;          ///< [kg/m2]
+    std::optional<double> particle_mass;  ///< [kg]; given, it replaces mass_per_area
     StiffnessPer stiffness_per = StiffnessPer::width;
     SpringMaterial structural{120.0, 0.012};
     SpringMaterial shear{40.0, 0.004};
@@ -83,77 +90,84 @@ struct MaterialDescription {
 struct FabricInfo {
     std::string_view name;
     std::string_view description;
-    double mass_per_area;                           ///< [kg/m2]
-    SpringMaterial structural, shear, bend;         ///< per width
+    double mass_per_area;                    ///< [kg/m2]
+    SpringMaterial structural, shear, bend;  ///< per width
 };
 std::span<const FabricInfo> fabric_catalogue();
 
-struct ParticleSelection { std::vector<std::size_t> particles; };
-struct EverySelection { std::size_t every; EdgeSelection of; };
-struct BoxSelection { Vec3d low, high; };           ///< rest positions inside, borders included [m]
+struct ParticleSelection {
+    std::vector<std::size_t> particles;
+};
+struct EverySelection {
+    std::size_t every;
+    EdgeSelection of;
+};
+struct BoxSelection {
+    Vec3d low, high;
+};  ///< rest positions inside, borders included [m]
 using PinSelector = std::variant<EdgeSelection, ParticleSelection, EverySelection, BoxSelection>;
 
 /// One keyframe of a pin's motion. Between keyframes the offset follows a cubic with zero slope at
 /// each (smoothstep); before the first and after the last it rests.
 struct PinKeyframe {
-    double time = 0.0;                              ///< [s], strictly rising
-    Vec3d offset{};                                 ///< from the rest position [m]
+    double time = 0.0;  ///< [s], strictly rising
+    Vec3d offset{};     ///< from the rest position [m]
 };
 
 struct PinDescription {
     PinSelector select = EdgeSelection::left_edge;
-    std::vector<PinKeyframe> motion;                ///< empty: does not move
+    std::vector<PinKeyframe> motion;  ///< empty: does not move
 };
 
 struct ForcesDescription {
-    Vec3d gravity{0.0, -9.81, 0.0};                 ///< [m/s2]
-    double damping = 0.0;                           ///< drag c of every particle, f = -c v [kg/s]
+    Vec3d gravity{0.0, -9.81, 0.0};  ///< [m/s2]
+    double damping = 0.0;            ///< drag c of every particle, f = -c v [kg/s]
 };
 
 struct GustDescription {
     GustModel model = GustModel::coefficient;
-    double spread = 0.5;                            ///< factor in [1 - spread, 1 + spread]
-    double period = 0.25;                           ///< between two draws [s]
+    double spread = 0.5;   ///< factor in [1 - spread, 1 + spread]
+    double period = 0.25;  ///< between two draws [s]
     std::uint64_t seed = 7;
 };
 
 struct WindDescription {
-    Vec3d velocity{4.0, 0.0, 1.4};                  ///< mean [m/s]
-    double air_density = 1.2;                       ///< [kg/m3]
-    double drag = 1.0;                              ///< factor on the plate's normal force
-    double skin_friction = 0.01;                    ///< tangential coefficient C_f
+    Vec3d velocity{4.0, 0.0, 1.4};  ///< mean [m/s]
+    double air_density = 1.2;       ///< [kg/m3]
+    double drag = 1.0;              ///< factor on the plate's normal force
+    double skin_friction = 0.01;    ///< tangential coefficient C_f
     GustDescription gust;
 };
 
 struct IntegratorDescription {
     std::string method = "velocity-verlet";
-    std::optional<double> time_step;                ///< [s]; none: "auto", 0.9 of the stable step
+    std::optional<double> time_step;  ///< [s]; none: "auto", 0.9 of the stable step
     Precision precision = Precision::f32;
     OnDivergence on_divergence = OnDivergence::stop;
 };
 
 struct OutputDescription {
-    double duration = 10.0;                         ///< [s]
+    double duration = 10.0;  ///< [s]
     double frames_per_second = 30.0;
     std::vector<std::string> formats{"glb", "pc2", "mp4"};
-    bool energy_balance = false;                    ///< integrate the work of every force over time
+    bool energy_balance = false;  ///< integrate the work of every force over time
 };
 
 /// How pictures look.
 struct RenderDescription {
-    std::array<int, 2> size{1280, 720};             ///< picture [pixels], even numbers
-    std::string texture = "flag";                   ///< built-in name, or resolved PNG or JPEG path
-    bool mast = true;                               ///< a pole along the cloth's left edge
-    bool ground = true;                             ///< a floor that takes the shadow
-    std::optional<Vec3d> camera;                    ///< eye [m]; none: frames the whole motion
-    std::optional<Vec3d> target;                    ///< point looked at [m]; none: the cloth's middle
-    double field_of_view = 35.0;                    ///< vertical [degrees]
+    std::array<int, 2> size{1280, 720};  ///< picture [pixels], even numbers
+    std::string texture = "flag";        ///< built-in name, or resolved PNG or JPEG path
+    bool mast = true;                    ///< a pole along the cloth's left edge
+    bool ground = true;                  ///< a floor that takes the shadow
+    std::optional<Vec3d> camera;         ///< eye [m]; none: frames the whole motion
+    std::optional<Vec3d> target;         ///< point looked at [m]; none: the cloth's middle
+    double field_of_view = 35.0;         ///< vertical [degrees]
 };
 
 struct SceneDescription {
     std::string name = "Flag in the wind";
-    std::string file;                               ///< scene file it came from; empty: none
-    std::string stem = "flag";                      ///< recordings are named after it
+    std::string file;           ///< scene file it came from; empty: none
+    std::string stem = "flag";  ///< recordings are named after it
     ClothDescription cloth;
     MaterialDescription material;
     std::vector<PinDescription> pins{PinDescription{}};
@@ -177,7 +191,8 @@ using SceneOverride = std::pair<std::string, std::string>;
 
 /// Reads a scene: `scene` is the path of a TOML file, or the name of a shipped scene.
 /// @throws Error (usage) with file, line, column and key; Error (file) where it cannot be read.
-SceneDescription load_scene(const std::string& scene, std::span<const SceneOverride> overrides = {});
+SceneDescription load_scene(const std::string& scene,
+                            std::span<const SceneOverride> overrides = {});
 
 /// The same from text; `file` is used in messages, and relative paths are resolved against it.
 SceneDescription parse_scene(std::string_view text, const std::string& file,
@@ -185,9 +200,9 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
 
 /// A shipped scene: a row of `weft list scenes`.
 struct ShippedScene {
-    std::string name;                               ///< "flag"
+    std::string name;  ///< "flag"
     std::filesystem::path path;
-    std::string title;                              ///< its `name` key
+    std::string title;  ///< its `name` key
 };
 /// The shipped scenes, sorted by name.
 /// @throws Error (file) where weft's data directory cannot be found.

@@ -22,21 +22,21 @@ namespace weft {
 struct Divergence {
     static constexpr double max_strain = 100.0;
 
-    std::size_t step = 0;              ///< from 1, over the whole run
-    double time = 0.0;                 ///< after that step [s]
-    std::optional<SpringStrain> spring;      ///< the spring overstretched ...
-    std::optional<std::size_t> particle;     ///< ... or the first particle not finite
-    double time_step = 0.0;            ///< the step used [s]
-    double stable_step = 0.0;          ///< what would have been stable [s]; 0: no step is
-    std::string message;               ///< all of it in one line
-    std::string advice;                ///< what to try
+    std::size_t step = 0;                 ///< from 1, over the whole run
+    double time = 0.0;                    ///< after that step [s]
+    std::optional<SpringStrain> spring;   ///< the spring overstretched ...
+    std::optional<std::size_t> particle;  ///< ... or the first particle not finite
+    double time_step = 0.0;               ///< the step used [s]
+    double stable_step = 0.0;             ///< what would have been stable [s]; 0: no step is
+    std::string message;                  ///< all of it in one line
+    std::string advice;                   ///< what to try
 };
 
 /// What advancing by a frame came to. On divergence the state is that of the last good frame.
 struct [[nodiscard]] FrameReport {
-    std::size_t steps = 0;             ///< made in this frame
-    double time_step = 0.0;            ///< their length [s]
-    int halvings = 0;                  ///< of the step, made in this frame
+    std::size_t steps = 0;   ///< made in this frame
+    double time_step = 0.0;  ///< their length [s]
+    int halvings = 0;        ///< of the step, made in this frame
     std::optional<Divergence> divergence;
 
     [[nodiscard]] bool ok() const { return !divergence.has_value(); }
@@ -44,8 +44,8 @@ struct [[nodiscard]] FrameReport {
 
 /// The scene's cloth linearised at its start.
 struct LinearAnalysis {
-    double omega_max = 0.0;            ///< largest angular frequency [1/s]
-    double damping_ratio = 0.0;        ///< zeta of that mode
+    double omega_max = 0.0;      ///< largest angular frequency [1/s]
+    double damping_ratio = 0.0;  ///< zeta of that mode
 };
 
 /// Not copyable; use from one thread at a time. The same scene gives the same states, to the bit,
@@ -76,10 +76,10 @@ public:
     /// 0: at none; infinity: no spring limits it.
     [[nodiscard]] double stable_step(std::string_view method) const;
 
-    [[nodiscard]] std::size_t frame() const;         ///< frames completed
-    [[nodiscard]] double time() const;               ///< [s]
-    [[nodiscard]] std::size_t step_count() const;    ///< steps completed
-    [[nodiscard]] double time_step() const;          ///< of the next frame's steps [s]
+    [[nodiscard]] std::size_t frame() const;       ///< frames completed
+    [[nodiscard]] double time() const;             ///< [s]
+    [[nodiscard]] std::size_t step_count() const;  ///< steps completed
+    [[nodiscard]] double time_step() const;        ///< of the next frame's steps [s]
     [[nodiscard]] std::size_t steps_per_frame() const;
 
     /// Advances to the next frame.

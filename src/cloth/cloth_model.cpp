@@ -22,7 +22,9 @@ std::array<std::size_t, 3> ClothModel::spring_counts() const {
     return counts;
 }
 
-double ClothModel::total_mass() const { return std::reduce(masses.begin(), masses.end()); }
+double ClothModel::total_mass() const {
+    return std::reduce(masses.begin(), masses.end());
+}
 
 std::string ClothModel::particle_name(std::size_t particle) const {
     if (!is_grid()) return fmt::format("{}", particle);
@@ -36,8 +38,8 @@ void build_grid(const SceneDescription& scene, ClothModel& cloth) {
     cloth.grid = scene.cloth.grid;
     cloth.shape = grid_shape(*cloth.grid);
     cloth.particle_count = cloth.shape.particle_count();
-    cloth.families = grid_spring_families(cloth.shape, scene.material.stiffness_per,
-                                          scene.material.bend_layout);
+    cloth.families =
+        grid_spring_families(cloth.shape, scene.material.stiffness_per, scene.material.bend_layout);
     cloth.surface = grid_surface(cloth.shape);
     cloth.masses.reserve(cloth.particle_count);
     for (std::size_t j = 0; j < cloth.shape.rows; ++j) {
@@ -64,7 +66,8 @@ void check_masses(const SceneDescription& scene, const ClothModel& cloth) {
         if (!(cloth.masses[p] > 0.0)) {
             throw file_error(scene.cloth.mesh_path,
                              fmt::format("particle {} has no mass: every face around it is without "
-                                         "area", p),
+                                         "area",
+                                         p),
                              "Give the scene material.particle_mass, or mend the mesh.");
         }
     }

@@ -14,12 +14,12 @@ GridShape grid_shape(const GridDescription& grid) {
 }
 
 Vec3d grid_position(const GridDescription& grid, std::size_t i, std::size_t j) {
-    const double right = static_cast<double>(i) * grid.size[0] /
-                         static_cast<double>(grid.resolution[0] - 1);
-    const double down = static_cast<double>(j) * grid.size[1] /
-                        static_cast<double>(grid.resolution[1] - 1);
-    return grid.origin + (grid.plane == Plane::xy ? Vec3d{right, -down, 0.0}
-                                                  : Vec3d{right, 0.0, down});
+    const double right =
+        static_cast<double>(i) * grid.size[0] / static_cast<double>(grid.resolution[0] - 1);
+    const double down =
+        static_cast<double>(j) * grid.size[1] / static_cast<double>(grid.resolution[1] - 1);
+    return grid.origin +
+           (grid.plane == Plane::xy ? Vec3d{right, -down, 0.0} : Vec3d{right, 0.0, down});
 }
 
 GridSpringFamilies grid_spring_families(const GridShape& shape, StiffnessPer per,
@@ -42,9 +42,15 @@ GridSpringFamilies grid_spring_families(const GridShape& shape, StiffnessPer per
         if (per == StiffnessPer::width) {
             const double strip = family.along_row() ? dy : dx;
             switch (family.kind) {
-                case structural: family.factor = strip / family.rest_length; break;
-                case shear: family.factor = diagonal * diagonal / (2 * dx * dy); break;
-                case bend: family.factor = strip / (2 * family.rest_length); break;
+                case structural:
+                    family.factor = strip / family.rest_length;
+                    break;
+                case shear:
+                    family.factor = diagonal * diagonal / (2 * dx * dy);
+                    break;
+                case bend:
+                    family.factor = strip / (2 * family.rest_length);
+                    break;
             }
             family.border_factor = family.kind == shear ? family.factor : family.factor / 2;
         }

@@ -11,8 +11,8 @@ void compute_normals(const Surface& surface, std::span<const Vec3d> positions,
         const std::uint32_t a = surface.particle(triangle[0]);
         const std::uint32_t b = surface.particle(triangle[1]);
         const std::uint32_t c = surface.particle(triangle[2]);
-        const Vec3f twice_area_normal = vec3_cast<float>(
-            cross(positions[b] - positions[a], positions[c] - positions[a]));
+        const Vec3f twice_area_normal =
+            vec3_cast<float>(cross(positions[b] - positions[a], positions[c] - positions[a]));
         normals[a] += twice_area_normal;
         normals[b] += twice_area_normal;
         normals[c] += twice_area_normal;

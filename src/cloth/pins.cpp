@@ -20,14 +20,26 @@ std::vector<std::size_t> edge_particles(const GridShape& shape, EdgeSelection ed
         for (std::size_t j = 0; j <= last_j; ++j) particles.push_back(shape.index(i, j));
     };
     switch (edge) {
-        case EdgeSelection::top_left: return {shape.index(0, 0)};
-        case EdgeSelection::top_right: return {shape.index(last_i, 0)};
-        case EdgeSelection::bottom_left: return {shape.index(0, last_j)};
-        case EdgeSelection::bottom_right: return {shape.index(last_i, last_j)};
-        case EdgeSelection::left_edge: column(0); break;
-        case EdgeSelection::right_edge: column(last_i); break;
-        case EdgeSelection::top_edge: row(0); break;
-        case EdgeSelection::bottom_edge: row(last_j); break;
+        case EdgeSelection::top_left:
+            return {shape.index(0, 0)};
+        case EdgeSelection::top_right:
+            return {shape.index(last_i, 0)};
+        case EdgeSelection::bottom_left:
+            return {shape.index(0, last_j)};
+        case EdgeSelection::bottom_right:
+            return {shape.index(last_i, last_j)};
+        case EdgeSelection::left_edge:
+            column(0);
+            break;
+        case EdgeSelection::right_edge:
+            column(last_i);
+            break;
+        case EdgeSelection::top_edge:
+            row(0);
+            break;
+        case EdgeSelection::bottom_edge:
+            row(last_j);
+            break;
     }
     return particles;
 }
@@ -48,9 +60,9 @@ struct Select {
     std::vector<std::size_t> operator()(const ParticleSelection& list) const {
         for (const std::size_t particle : list.particles) {
             if (particle >= cloth.particle_count) {
-                throw scene_error(key, fmt::format("particle {}", particle),
-                                  fmt::format("the cloth has particles 0 to {}",
-                                              cloth.particle_count - 1));
+                throw scene_error(
+                    key, fmt::format("particle {}", particle),
+                    fmt::format("the cloth has particles 0 to {}", cloth.particle_count - 1));
             }
         }
         return list.particles;
@@ -113,9 +125,9 @@ void place_pins(const SceneDescription& scene, ClothModel& cloth) {
 PinOffset pin_offset(const std::vector<PinKeyframe>& motion, double time) {
     if (time <= motion.front().time) return {motion.front().offset, {}, {}};
     if (time >= motion.back().time) return {motion.back().offset, {}, {}};
-    const auto next = std::upper_bound(
-        motion.begin(), motion.end(), time,
-        [](double t, const PinKeyframe& keyframe) { return t < keyframe.time; });
+    const auto next =
+        std::upper_bound(motion.begin(), motion.end(), time,
+                         [](double t, const PinKeyframe& keyframe) { return t < keyframe.time; });
     const PinKeyframe &from = *(next - 1), &to = *next;
     const double span = to.time - from.time;
     const double s = (time - from.time) / span;

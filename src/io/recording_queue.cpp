@@ -82,7 +82,7 @@ void RecordingQueue::work(const RecordingPlan& plan) {
         changed_.notify_all();
     }
     if (good && !discard_) finish_all();
-    recorders_.clear();          // on this thread: a picture recorder's OpenGL context lives here
+    recorders_.clear();  // on this thread: a picture recorder's OpenGL context lives here
 }
 
 void RecordingQueue::fail(std::exception_ptr error) {
@@ -98,7 +98,7 @@ void RecordingQueue::for_each_recorder(const Action& action) {
         try {
             action(*recorder);
         } catch (...) {
-            recorder.reset();    // removes what it wrote
+            recorder.reset();  // removes what it wrote
             fail(std::current_exception());
         }
     }
@@ -111,7 +111,7 @@ bool RecordingQueue::begin_all(const RecordingPlan& plan) {
 }
 
 void RecordingQueue::record(const Frame& frame) {
-    if (failed_) return;         // the recording ends with the frames before
+    if (failed_) return;  // the recording ends with the frames before
     for_each_recorder([&](Recorder& recorder) { recorder.frame(frame); });
 }
 

@@ -45,7 +45,7 @@ public:
     [[nodiscard]] double busy_seconds() const { return busy_seconds_; }
 
 private:
-    static constexpr std::size_t capacity = 3;   // one written, one waiting, one filled
+    static constexpr std::size_t capacity = 3;  // one written, one waiting, one filled
 
     void work(const RecordingPlan& plan);
     bool begin_all(const RecordingPlan& plan);
@@ -58,7 +58,7 @@ private:
     std::vector<std::unique_ptr<Recorder>> recorders_;
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::deque<std::size_t> free_, filled_;      // indices into buffers_
+    std::deque<std::size_t> free_, filled_;  // indices into buffers_
     std::vector<FrameBuffer> buffers_{capacity};
     std::size_t filling_ = 0;
     bool begun_ = false, closing_ = false, discard_ = false, failed_ = false;

@@ -94,9 +94,9 @@ double rayleigh_quotient(const Vec3Array<Real>& vector, const Product& product) 
     return dot_product(vector, image);
 }
 
-// A composition with a negative kick amplifies damped modes well below the fastest: between zero and
-// it, modes are damped at about the rate alpha + beta omega^2 of Rayleigh's model, fitted to the
-// fastest.
+// A composition with a negative kick amplifies damped modes well below the fastest: between zero
+// and it, modes are damped at about the rate alpha + beta omega^2 of Rayleigh's model, fitted to
+// the fastest.
 void add_slower_modes(StabilityModes& found, double alpha) {
     const Mode fastest = found.modes.front();
     if (!(fastest.damping_rate > 0.0)) return;
