@@ -2,14 +2,12 @@
 #include "io/picture_recorder.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -17,12 +15,14 @@
 
 #include "io/video_encoder.h"
 #include "render/off_screen.h"
+#include "support/file_size_limit.h"
 #include "support/recording.h"
 #include "weft/error.h"
 
 namespace weft {
 namespace {
 
+using test::FileSizeLimit;
 using test::ScratchDirectory;
 using test::WavingCloth;
 
@@ -72,27 +72,6 @@ public:
 
 private:
     std::string before_;
-};
-
-/// While it lives, no file of this process and its children can grow beyond `bytes`.
-class FileSizeLimit {
-public:
-    explicit FileSizeLimit(rlim_t bytes) {
-        handler_ = std::signal(SIGXFSZ, SIG_IGN);
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-private:
-    rlimit before_{};
-    void (*handler_)(int) = nullptr;
 };
 
 class Video : public testing::TestWithParam<const char*> {};

@@ -1,39 +1,16 @@
 // Every file recorder when things go wrong: interrupted, disk full, directory not writable.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
-#include <csignal>
-
+#include "support/file_size_limit.h"
 #include "support/recording.h"
 #include "weft/error.h"
 
 namespace weft {
 namespace {
 
+using test::FileSizeLimit;
 using test::ScratchDirectory;
-
-/// While it lives, no file of this process can grow beyond `bytes`: writing then fails as on a full
-/// disk.
-class FileSizeLimit {
-public:
-    explicit FileSizeLimit(rlim_t bytes) {
-        handler_ = std::signal(SIGXFSZ, SIG_IGN);
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-private:
-    rlimit before_{};
-    void (*handler_)(int) = nullptr;
-};
 
 /// While it lives, the process has no right to write into the directory, even where root runs it.
 class ReadOnlyDirectory {
