@@ -77,7 +77,7 @@ private:
     void run_steps(std::size_t count, std::size_t steps_per_frame);
     void save();
     void go_back();
-    Divergence trace_divergence(std::size_t steps_per_frame);
+    Divergence trace_divergence(std::size_t steps_per_frame, bool restarted);
 
     const ClothModel& cloth_;
     const SceneDescription& scene_;
@@ -191,13 +191,15 @@ void ClothEngine<Real>::go_back() {
     power_known_ = false;
 }
 
-// Runs the failed frame once more from its start, looking after every step.
+// Runs the failed frame once more, as it was run, looking after every step.
+// @param restarted whether the integrator had forgotten its history (after a halving).
 template <typename Real>
-Divergence ClothEngine<Real>::trace_divergence(std::size_t steps_per_frame) {
+Divergence ClothEngine<Real>::trace_divergence(std::size_t steps_per_frame, bool restarted) {
     const double dt = frame_length() / static_cast<double>(steps_per_frame);
     std::optional<Divergence> found;
     std::size_t step = 0;
     go_back();
+    if (restarted) integrator_->restart();
     while (!found && step < steps_per_frame) {
         integrator_->step(system_, dt, state_);
         ++step;
@@ -225,7 +227,7 @@ FrameReport ClothEngine<Real>::advance_frame() {
         const bool may_halve =
             is_auto() || scene_.integrator.on_divergence == OnDivergence::halve_step;
         if (!may_halve || halvings_ == max_halvings) {
-            report.divergence = trace_divergence(steps_per_frame_);
+            report.divergence = trace_divergence(steps_per_frame_, report.halvings > 0);
             return report;
         }
         go_back();
