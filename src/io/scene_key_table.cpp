@@ -152,7 +152,7 @@ const std::array table{
         "What to do when the simulation blows up: end with an error, or go on from the last good frame with half the step.",
         +[](S& s, Pin) -> OnDivergence& { return s.integrator.on_divergence; }},
 
-    SceneKey{"output.duration", "s", "10.0", scene_rules::not_negative,
+    SceneKey{"output.duration", "s", "8.0", scene_rules::not_negative,
         "Simulated time. Frame 0 is the initial state, so 0 records that alone.",
         +[](S& s, Pin) -> double& { return s.output.duration; }},
     SceneKey{"output.frames_per_second", "1/s", "30.0", scene_rules::positive,
