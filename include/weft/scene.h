@@ -147,7 +147,7 @@ struct IntegratorDescription {
 };
 
 struct OutputDescription {
-    double duration = 8.0;   ///< [s]
+    double duration = 8.0;  ///< [s]
     double frames_per_second = 30.0;
     std::vector<std::string> formats{"glb", "pc2", "mp4"};
     bool energy_balance = false;  ///< integrate the work of every force over time
