@@ -272,7 +272,7 @@ TEST(SceneMemory, ParticlesAreNumberedIn32Bits) {
 
 TEST(SceneFrames, AreDurationTimesRateRounded) {
     SceneDescription scene;
-    EXPECT_EQ(scene.frame_count(), 300U);
+    EXPECT_EQ(scene.frame_count(), 240U);
     scene.output.duration = 0.1;
     scene.output.frames_per_second = 24.0;
     EXPECT_EQ(scene.frame_count(), 2U);
