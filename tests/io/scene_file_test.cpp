@@ -22,7 +22,7 @@ TEST(SceneFile, TheVersionAloneIsTheFlag) {
     EXPECT_EQ(scene_to_json(scene).dump(), scene_to_json(SceneDescription{}).dump());
     EXPECT_EQ(scene.file, "my/towel.toml");
     EXPECT_EQ(scene.stem, "towel");
-    EXPECT_EQ(scene.frame_count(), 300U);
+    EXPECT_EQ(scene.frame_count(), 240U);
 }
 
 TEST(SceneFile, ATextWithoutAFileIsCalledFlagOrScene) {
