@@ -210,7 +210,7 @@ TEST(SceneFile, ErrorsCarryTheirPlace) {
 TEST(SceneFile, AnErrorOfADefaultNamesTheNearestTableOrTheFile) {
     // The duration is a default, and too long at this rate.
     EXPECT_EQ(test::parse_error("version = 1\n[output]\nframes_per_second = 1e9\n"),
-              "scene.toml:2:1: output.duration: 10 is not allowed: at most 1000000000 frames at "
+              "scene.toml:2:1: output.duration: 8 is not allowed: at most 1000000000 frames at "
               "1000000000 frames per second");
     EXPECT_EQ(test::parse_error(""),
               "scene.toml: version: not given; a scene file begins with version = 1");
