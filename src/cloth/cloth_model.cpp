@@ -38,6 +38,7 @@ void build_grid(const SceneDescription& scene, ClothModel& cloth) {
     cloth.grid = scene.cloth.grid;
     cloth.shape = grid_shape(*cloth.grid);
     cloth.particle_count = cloth.shape.particle_count();
+    cloth.layout = ParticleLayout::of_grid(cloth.shape.columns, cloth.shape.rows);
     cloth.families =
         grid_spring_families(cloth.shape, scene.material.stiffness_per, scene.material.bend_layout);
     cloth.surface = grid_surface(cloth.shape);
@@ -52,6 +53,7 @@ void build_grid(const SceneDescription& scene, ClothModel& cloth) {
 void build_mesh(const SceneDescription& scene, ClothModel& cloth) {
     MeshCloth mesh = build_mesh_cloth(*scene.cloth.mesh, scene.cloth.mesh_path);
     cloth.particle_count = mesh.rest_positions.size();
+    cloth.layout = ParticleLayout::in_order(cloth.particle_count);
     cloth.mesh_positions = std::move(mesh.rest_positions);
     cloth.springs = std::move(mesh.springs);
     cloth.surface = std::move(mesh.surface);

@@ -9,6 +9,7 @@
 
 #include "cloth/grid_cloth.h"
 #include "cloth/mesh_cloth.h"
+#include "cloth/particle_layout.h"
 #include "cloth/springs.h"
 #include "weft/frame.h"
 #include "weft/scene.h"
@@ -30,8 +31,10 @@ struct Pin {
     static constexpr std::uint32_t no_motion = 0xffffffff;
 };
 
+/// All by particle, as the user numbers them; states and forces stand by slot of the layout.
 struct ClothModel {
     std::size_t particle_count = 0;
+    ParticleLayout layout;                      ///< of the arrays of states and forces
     std::optional<GridDescription> grid;        ///< given for grids only
     GridShape shape;                            ///< grids only
     GridSpringFamilies families{};              ///< grids only
@@ -47,6 +50,9 @@ struct ClothModel {
 
     [[nodiscard]] bool is_grid() const { return grid.has_value(); }
 
+    /// Where a particle stands in the arrays of states and forces.
+    [[nodiscard]] std::size_t slot(std::size_t particle) const { return layout.slot(particle); }
+
     /// Where a particle starts [m].
     [[nodiscard]] Vec3d rest_position(std::size_t particle) const;
 
@@ -60,7 +66,15 @@ struct ClothModel {
 
     /// Calls visit(const Spring&, const SpringConstants&) for every spring, in one fixed order.
     template <typename Visit>
-    void for_each_spring(const Visit& visit) const;
+    void for_each_spring(const Visit& visit) const {
+        for_each_spring_with_slots([&](const Spring& spring, const SpringConstants& constants,
+                                       std::size_t, std::size_t) { visit(spring, constants); });
+    }
+
+    /// The same in the same order, with the slots of the spring's particles p and q:
+    /// visit(const Spring&, const SpringConstants&, std::size_t slot_p, std::size_t slot_q).
+    template <typename Visit>
+    void for_each_spring_with_slots(const Visit& visit) const;
 
 private:
     [[nodiscard]] SpringConstants constants(const Spring& spring) const {
@@ -83,11 +97,11 @@ struct PinOffset {
 PinOffset pin_offset(const std::vector<PinKeyframe>& motion, double time);
 
 template <typename Visit>
-void ClothModel::for_each_spring(const Visit& visit) const {
+void ClothModel::for_each_spring_with_slots(const Visit& visit) const {
     for (const Spring& spring : springs) {
         Spring scaled = spring;
         if (stiffness_per == StiffnessPer::spring) scaled.width_factor = 1.0;
-        visit(scaled, constants(scaled));
+        visit(scaled, constants(scaled), slot(scaled.p), slot(scaled.q));
     }
     for (const GridSpringFamily& family : families) {
         for (std::size_t j = 0; j < family.owner_rows; ++j) {
@@ -98,7 +112,9 @@ void ClothModel::for_each_spring(const Visit& visit) const {
                 const auto b =
                     static_cast<std::uint32_t>(shape.index(i + family.bi, j + family.bj));
                 const Spring spring{a, b, family.kind, family.rest_length, factor};
-                visit(spring, constants(spring));
+                const std::size_t owner = j * layout.row_stride() + i;
+                visit(spring, constants(spring), owner + family.ai,
+                      owner + family.bj * layout.row_stride() + family.bi);
             }
         }
     }

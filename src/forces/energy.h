@@ -1,4 +1,5 @@
-// Energy by kind, rates of work, and strain, all in double and in one order of summation.
+// Energy by kind, rates of work, and strain, all in double and in one order of summation: that of
+// the particles' numbers, wherever they stand. x and v: [slot].
 #pragma once
 
 #include "cloth/cloth_model.h"
@@ -18,7 +19,7 @@ double dashpot_power(const ClothModel& cloth, ConstVec3View<Real> x, ConstVec3Vi
 
 /// Rate of work of the drag on particles, -sum c |v|^2 [W].
 template <typename Real>
-double drag_power(const ForcesDescription& forces, ConstVec3View<Real> v);
+double drag_power(const ClothModel& cloth, const ForcesDescription& forces, ConstVec3View<Real> v);
 
 /// The spring whose length differs most from its rest length, relative to it.
 template <typename Real>

@@ -1,10 +1,10 @@
-// Spring forces on a grid, each spring computed once, without index arrays.
+// Spring forces on a grid, written to be read: each spring computed once, without index arrays.
+// Fast kernels are held against this one.
 //
-// Source rows are taken in rising order, and within a row the six families of GridSpringFamily; a
-// family's forces over a tile of columns are computed into a small buffer, then added to the
-// owners' side and subtracted from the other. So each particle's sum has one order, and a band of
-// rows alone gives the same bits as the whole grid: it recomputes the two rows above itself, whose
-// springs reach into it.
+// Source rows are taken in rising order, within a row the six families of GridSpringFamily, and
+// within a family its springs from left to right. So each particle's sum has one order, and a band
+// of rows alone gives the same bits as the whole grid: it recomputes the two rows above itself,
+// whose springs reach into it.
 #pragma once
 
 #include <array>
@@ -35,18 +35,13 @@ struct GridSpringConstants {
 template <typename Real>
 class GridSprings {
 public:
-    static constexpr std::size_t tile = 256;  ///< columns a buffer holds
-
     explicit GridSprings(const ClothModel& cloth);
 
     /// Adds to f the spring and dashpot forces on rows [row_begin, row_end):
     ///     f_p = (k (|d| - L) + c (v_q - v_p).u) u,  d = x_q - x_p, u = d / |d|
-    /// and nothing where |d| = 0.
+    /// and nothing where |d| = 0. x, v, f: [slot] of the cloth's layout; padding is not touched.
     void add_forces(ConstVec3View<Real> x, ConstVec3View<Real> v, Vec3View<Real> f,
                     std::size_t row_begin, std::size_t row_end) const;
-
-    /// The readable twin: the same sums in the same order, one spring at a time. Same bits.
-    void add_forces_scalar(ConstVec3View<Real> x, ConstVec3View<Real> v, Vec3View<Real> f) const;
 
 private:
     [[nodiscard]] const GridSpringRow<Real>& row_of(const GridSpringConstants<Real>& family,
@@ -54,7 +49,7 @@ private:
         return j == 0 || j + 1 == rows_ ? family.border_row : family.inner_row;
     }
 
-    std::size_t columns_, rows_;
+    std::size_t rows_, row_stride_;
     std::array<GridSpringConstants<Real>, grid_family_count> families_;
 };
 

@@ -1,4 +1,5 @@
-// The springs linearised at a state: products with the stiffness and damping matrices.
+// The springs linearised at a state: products with the stiffness and damping matrices. All [slot];
+// what is zero in padding stays so.
 #pragma once
 
 #include "cloth/cloth_model.h"

@@ -3,20 +3,23 @@
 namespace weft {
 
 template <typename Real>
-MeshAir<Real>::MeshAir(const WindDescription& wind, const Surface& surface)
-    : constants_(wind), first_(surface.particle_count + 1, 0), thirds_(surface.triangles.size()) {
+MeshAir<Real>::MeshAir(const WindDescription& wind, const Surface& surface,
+                       const ParticleLayout& layout)
+    : constants_(wind), first_(layout.slot_count() + 1, 0), thirds_(surface.triangles.size()) {
     corners_.reserve(surface.triangles.size());
     for (const auto& triangle : surface.triangles) {
-        corners_.push_back({surface.particle(triangle[0]), surface.particle(triangle[1]),
-                            surface.particle(triangle[2])});
-        for (const std::uint32_t p : corners_.back()) ++first_[p + 1];
+        const auto slot = [&](std::uint32_t corner) {
+            return static_cast<std::uint32_t>(layout.slot(surface.particle(corner)));
+        };
+        corners_.push_back({slot(triangle[0]), slot(triangle[1]), slot(triangle[2])});
+        for (const std::uint32_t s : corners_.back()) ++first_[s + 1];
     }
-    for (std::size_t p = 0; p < surface.particle_count; ++p) first_[p + 1] += first_[p];
+    for (std::size_t s = 0; s < layout.slot_count(); ++s) first_[s + 1] += first_[s];
     triangles_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (std::size_t t = 0; t < corners_.size(); ++t) {
-        for (const std::uint32_t p : corners_[t]) {
-            triangles_[next[p]++] = static_cast<std::uint32_t>(t);
+        for (const std::uint32_t s : corners_[t]) {
+            triangles_[next[s]++] = static_cast<std::uint32_t>(t);
         }
     }
 }
@@ -34,10 +37,10 @@ void MeshAir<Real>::compute(Vec3<Real> wind, ConstVec3View<Real> x, ConstVec3Vie
 
 template <typename Real>
 void MeshAir<Real>::add_forces(Vec3View<Real> f, std::size_t begin, std::size_t end) const {
-    for (std::size_t p = begin; p < end; ++p) {
+    for (std::size_t s = begin; s < end; ++s) {
         Vec3<Real> sum{};
-        for (std::size_t n = first_[p]; n < first_[p + 1]; ++n) sum += thirds_[triangles_[n]];
-        f.add(p, sum);
+        for (std::size_t n = first_[s]; n < first_[s + 1]; ++n) sum += thirds_[triangles_[n]];
+        f.add(s, sum);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cloth/particle_layout.h"
 #include "forces/plate_force.h"
 #include "math/vec3_array.h"
 #include "weft/frame.h"
@@ -18,7 +19,7 @@ namespace weft {
 template <typename Real>
 class MeshAir {
 public:
-    MeshAir(const WindDescription& wind, const Surface& surface);
+    MeshAir(const WindDescription& wind, const Surface& surface, const ParticleLayout& layout);
 
     [[nodiscard]] std::size_t triangle_count() const { return corners_.size(); }
 
@@ -26,7 +27,7 @@ public:
     void compute(Vec3<Real> wind, ConstVec3View<Real> x, ConstVec3View<Real> v, std::size_t begin,
                  std::size_t end);
 
-    /// Adds to f the force on particles [begin, end).
+    /// Adds to f the force on slots [begin, end).
     void add_forces(Vec3View<Real> f, std::size_t begin, std::size_t end) const;
 
     /// Rate of work of the forces last computed [W].
@@ -34,8 +35,8 @@ public:
 
 private:
     AirConstants<Real> constants_;
-    std::vector<std::array<std::uint32_t, 3>> corners_;  ///< [triangle], particles
-    std::vector<std::uint32_t> first_, triangles_;       ///< of each particle
+    std::vector<std::array<std::uint32_t, 3>> corners_;  ///< [triangle], slots
+    std::vector<std::uint32_t> first_, triangles_;       ///< of each slot
     Vec3Array<Real> thirds_;                             ///< [triangle] [N]
 };
 

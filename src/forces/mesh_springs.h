@@ -16,19 +16,19 @@ class MeshSprings {
 public:
     explicit MeshSprings(const ClothModel& cloth);
 
-    /// Adds to f the spring and dashpot forces on particles [begin, end); the formula is that of
+    /// Adds to f the spring and dashpot forces on slots [begin, end); the formula is that of
     /// GridSprings.
     void add_forces(ConstVec3View<Real> x, ConstVec3View<Real> v, Vec3View<Real> f,
                     std::size_t begin, std::size_t end) const;
 
 private:
     struct Neighbour {
-        std::uint32_t particle = 0;
+        std::uint32_t slot = 0;
         Real rest_length = 0;  ///< [m]
         Real stiffness = 0;    ///< [N/m]
         Real damping = 0;      ///< [N s/m]
     };
-    std::vector<std::uint32_t> first_;  ///< [particle + 1], index of its first neighbour
+    std::vector<std::uint32_t> first_;  ///< [slot + 1], index of its first neighbour
     std::vector<Neighbour> neighbours_;
 };
 

@@ -35,8 +35,8 @@ double composition_amplification(const CompositionTable& table, double omega_dt,
 }
 
 template <typename Real>
-void Composition<Real>::prepare(std::size_t particle_count) {
-    a_ = Vec3Array<Real>(particle_count);
+void Composition<Real>::prepare(std::size_t slot_count) {
+    a_ = Vec3Array<Real>(slot_count);
 }
 
 template <typename Real>

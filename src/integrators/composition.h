@@ -32,7 +32,7 @@ template <typename Real>
 class Composition final : public Integrator<Real> {
 public:
     explicit Composition(const CompositionTable& table) : table_(table) {}
-    void prepare(std::size_t particle_count) override;
+    void prepare(std::size_t slot_count) override;
     void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
 
 private:

@@ -16,11 +16,12 @@ class Integrator {
 public:
     virtual ~Integrator() = default;
 
-    /// Sizes the work arrays; nothing else allocates.
-    virtual void prepare(std::size_t particle_count) = 0;
+    /// Sizes the work arrays as those of the state; nothing else allocates. What is zero in x, v
+    /// and every acceleration, as padding is, stays zero.
+    virtual void prepare(std::size_t slot_count) = 0;
 
     /// Advances `state` from t to t + dt.
-    /// @pre dt > 0 and finite [s]; prepare() ran for this particle count.
+    /// @pre dt > 0 and finite [s]; prepare() ran for the size of its arrays.
     virtual void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) = 0;
 
     /// Forgets what is kept from earlier steps: the next step starts from the state alone.

@@ -8,9 +8,9 @@
 namespace weft {
 
 template <typename Real>
-void PositionVerlet<Real>::prepare(std::size_t particle_count) {
-    x_previous_ = Vec3Array<Real>(particle_count);
-    a_ = Vec3Array<Real>(particle_count);
+void PositionVerlet<Real>::prepare(std::size_t slot_count) {
+    x_previous_ = Vec3Array<Real>(slot_count);
+    a_ = Vec3Array<Real>(slot_count);
     last_step_ = 0.0;
 }
 
@@ -71,9 +71,9 @@ void PositionVerlet<Real>::step(DynamicsSystem<Real>& system, double dt,
 }
 
 template <typename Real>
-void VelocityVerlet<Real>::prepare(std::size_t particle_count) {
-    a_ = Vec3Array<Real>(particle_count);
-    a_next_ = Vec3Array<Real>(particle_count);
+void VelocityVerlet<Real>::prepare(std::size_t slot_count) {
+    a_ = Vec3Array<Real>(slot_count);
+    a_next_ = Vec3Array<Real>(slot_count);
     started_ = false;
 }
 

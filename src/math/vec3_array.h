@@ -1,5 +1,5 @@
 // Arrays of vectors, structure-of-arrays: all x, then all y, then all z, each aligned to a cache
-// line so that loops over one component vectorise.
+// line so that loops over one component vectorise, with room behind each to read beyond its end.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +40,7 @@ class Vec3Array {
 public:
     Vec3Array() = default;
     explicit Vec3Array(std::size_t size)
-        : size_(size), stride_((size + lanes - 1) / lanes * lanes), data_(allocate(3 * stride_)) {
+        : size_(size), stride_(stride_of(size)), data_(allocate(3 * stride_)) {
         fill_zero();
     }
     Vec3Array(const Vec3Array& other) : Vec3Array(other.size_) { copy_from(other); }
@@ -74,6 +74,7 @@ public:
 
 private:
     static constexpr std::size_t alignment = 64;  // a cache line [bytes]
+    static constexpr std::size_t page = 4096;     // [bytes]
     static constexpr std::size_t lanes = alignment / sizeof(Real);
     struct Free {
         void operator()(Real* data) const {
@@ -81,6 +82,15 @@ private:
         }
     };
     using Data = std::unique_ptr<Real[], Free>;
+
+    // Places of one component: whole cache lines, one of them behind the last, into which kernels
+    // may read; and never whole pages, or the three components of a vector would share one set of
+    // the first-level cache.
+    static constexpr std::size_t stride_of(std::size_t size) {
+        if (size == 0) return 0;
+        const std::size_t stride = (size + lanes - 1) / lanes * lanes + lanes;
+        return stride % (page / sizeof(Real)) == 0 ? stride + lanes : stride;
+    }
 
     static Data allocate(std::size_t count) {
         return Data(static_cast<Real*>(

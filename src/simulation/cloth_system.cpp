@@ -20,16 +20,18 @@ constexpr std::size_t triangle_grain = 4096;
 template <typename Real>
 ClothSystem<Real>::ClothSystem(const ClothModel& cloth, const SceneDescription& scene)
     : cloth_(cloth), description_(scene.forces) {
-    inverse_masses_.reserve(cloth.particle_count);
-    for (const double mass : cloth.masses) inverse_masses_.push_back(static_cast<Real>(1 / mass));
-    for (const Pin& pin : cloth.pins) inverse_masses_[pin.particle] = 0;
+    inverse_masses_.assign(cloth.layout.slot_count(), Real{0});
+    cloth.layout.for_each([&](std::size_t p, std::size_t slot) {
+        inverse_masses_[slot] = static_cast<Real>(1 / cloth.masses[p]);
+    });
+    for (const Pin& pin : cloth.pins) inverse_masses_[cloth.slot(pin.particle)] = 0;
     if (scene.wind && scene.wind->air_density > 0.0) wind_ = scene.wind;
     if (cloth.is_grid()) {
         grid_springs_.emplace(cloth);
-        if (wind_) grid_air_.emplace(*wind_, cloth.shape);
+        if (wind_) grid_air_.emplace(*wind_, cloth.shape, cloth.layout.row_stride());
     } else {
         mesh_springs_.emplace(cloth);
-        if (wind_) mesh_air_.emplace(*wind_, cloth.surface);
+        if (wind_) mesh_air_.emplace(*wind_, cloth.surface, cloth.layout);
     }
 }
 
@@ -37,10 +39,10 @@ template <typename Real>
 void ClothSystem<Real>::add_forces(Vec3<Real> wind, ConstVec3View<Real> x, ConstVec3View<Real> v,
                                    Vec3View<Real> f, std::size_t begin, std::size_t end) const {
     const Real c = static_cast<Real>(description_.damping);
-    const std::size_t row = cloth_.is_grid() ? cloth_.shape.columns : 1;
-    for (std::size_t p = begin * row; p < end * row; ++p) f.x[p] = -c * v.x[p];
-    for (std::size_t p = begin * row; p < end * row; ++p) f.y[p] = -c * v.y[p];
-    for (std::size_t p = begin * row; p < end * row; ++p) f.z[p] = -c * v.z[p];
+    const std::size_t row = cloth_.is_grid() ? cloth_.layout.row_stride() : 1;
+    for (std::size_t s = begin * row; s < end * row; ++s) f.x[s] = -c * v.x[s];
+    for (std::size_t s = begin * row; s < end * row; ++s) f.y[s] = -c * v.y[s];
+    for (std::size_t s = begin * row; s < end * row; ++s) f.z[s] = -c * v.z[s];
     if (grid_springs_) grid_springs_->add_forces(x, v, f, begin, end);
     if (mesh_springs_) mesh_springs_->add_forces(x, v, f, begin, end);
     if (grid_air_) grid_air_->add_forces(wind, x, v, f, begin, end);
@@ -59,9 +61,9 @@ void ClothSystem<Real>::forces(double t, ConstVec3View<Real> x, ConstVec3View<Re
                      });
     }
     const bool grid = cloth_.is_grid();
-    const std::size_t row = grid ? cloth_.shape.columns : 1;
+    const std::size_t row = grid ? cloth_.layout.row_stride() : 1;
     const std::size_t grain = std::max<std::size_t>(particle_grain / row, 1);
-    parallel_for(grid ? cloth_.shape.rows : cloth_.particle_count, grain,
+    parallel_for(grid ? cloth_.shape.rows : cloth_.layout.slot_count(), grain,
                  [&](std::size_t begin, std::size_t end) {
                      add_forces(wind, x, v, f, begin, end);
                      finish(begin * row, end * row);
@@ -75,8 +77,8 @@ void ClothSystem<Real>::acceleration(double t, ConstVec3View<Real> x, ConstVec3V
     const Real* w = inverse_masses_.data();
     forces(t, x, v, a, [&](std::size_t begin, std::size_t end) {
         const auto accelerate = [&](Real* component, Real gravity) {
-            for (std::size_t p = begin; p < end; ++p) {
-                component[p] = w[p] > 0 ? gravity + w[p] * component[p] : Real{0};
+            for (std::size_t s = begin; s < end; ++s) {
+                component[s] = w[s] > 0 ? gravity + w[s] * component[s] : Real{0};
             }
         };
         accelerate(a.x, g.x);
@@ -90,15 +92,16 @@ void ClothSystem<Real>::constrain(double t, Vec3View<Real> x, Vec3View<Real> v) 
     for (const Pin& pin : cloth_.pins) {
         PinOffset offset;
         if (pin.motion != Pin::no_motion) offset = pin_offset(cloth_.motions[pin.motion], t);
-        x.set(pin.particle, vec3_cast<Real>(pin.rest + offset.offset));
-        v.set(pin.particle, vec3_cast<Real>(offset.velocity));
+        const std::size_t slot = cloth_.slot(pin.particle);
+        x.set(slot, vec3_cast<Real>(pin.rest + offset.offset));
+        v.set(slot, vec3_cast<Real>(offset.velocity));
     }
 }
 
 template <typename Real>
 void ClothSystem<Real>::scale_by_root_inverse_mass(Vec3View<Real> u) const {
-    for (std::size_t p = 0; p < u.size; ++p) {
-        u.set(p, std::sqrt(inverse_masses_[p]) * u[p]);
+    for (std::size_t s = 0; s < u.size; ++s) {
+        u.set(s, std::sqrt(inverse_masses_[s]) * u[s]);
     }
 }
 
@@ -108,7 +111,7 @@ double ClothSystem<Real>::pin_power(double t, ConstVec3View<Real> f) const {
     for (const Pin& pin : cloth_.pins) {
         if (pin.motion == Pin::no_motion) continue;
         const PinOffset offset = pin_offset(cloth_.motions[pin.motion], t);
-        const Vec3d others = vec3_cast<double>(f[pin.particle]);
+        const Vec3d others = vec3_cast<double>(f[cloth_.slot(pin.particle)]);
         const double mass = cloth_.masses[pin.particle];
         power += dot(mass * (offset.acceleration - description_.gravity) - others, offset.velocity);
     }
@@ -119,9 +122,9 @@ template <typename Real>
 Work ClothSystem<Real>::power(double t, ConstVec3View<Real> x, ConstVec3View<Real> v) {
     Work power;
     power.dashpots = dashpot_power(cloth_, x, v);
-    power.drag = drag_power(description_, v);
+    power.drag = drag_power(cloth_, description_, v);
     if (!wind_ && cloth_.motions.empty()) return power;
-    if (forces_.size() == 0) forces_ = Vec3Array<Real>(cloth_.particle_count);
+    if (forces_.size() == 0) forces_ = Vec3Array<Real>(cloth_.layout.slot_count());
     forces(t, x, v, forces_.view(), [](std::size_t, std::size_t) {});
     power.pins = pin_power(t, std::as_const(forces_).view());
     if (mesh_air_) power.air = mesh_air_->power(v);
@@ -129,9 +132,9 @@ Work ClothSystem<Real>::power(double t, ConstVec3View<Real> x, ConstVec3View<Rea
         forces_.fill_zero();
         const Vec3<Real> wind = vec3_cast<Real>(wind_velocity(*wind_, t));
         grid_air_->add_forces(wind, x, v, forces_.view(), 0, cloth_.shape.rows);
-        for (std::size_t p = 0; p < cloth_.particle_count; ++p) {
-            power.air += dot(vec3_cast<double>(forces_[p]), vec3_cast<double>(v[p]));
-        }
+        cloth_.layout.for_each([&](std::size_t, std::size_t slot) {
+            power.air += dot(vec3_cast<double>(forces_[slot]), vec3_cast<double>(v[slot]));
+        });
     }
     return power;
 }

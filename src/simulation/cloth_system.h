@@ -25,14 +25,14 @@ public:
                       Vec3View<Real> a) override;
     void constrain(double t, Vec3View<Real> x, Vec3View<Real> v) const override;
 
-    /// Multiplies every particle's vector by M^-1/2, which is zero for pinned ones.
+    /// Multiplies every particle's vector by M^-1/2, which is zero for pinned ones and padding.
     void scale_by_root_inverse_mass(Vec3View<Real> u) const;
 
     /// Rates of work of what has no energy [W], in the fields of Work.
     Work power(double t, ConstVec3View<Real> x, ConstVec3View<Real> v);
 
 private:
-    // f = everything but gravity: -c v, springs, air; on rows of a grid or particles of a mesh.
+    // f = everything but gravity: -c v, springs, air; on rows of a grid or slots of a mesh.
     void add_forces(Vec3<Real> wind, ConstVec3View<Real> x, ConstVec3View<Real> v, Vec3View<Real> f,
                     std::size_t begin, std::size_t end) const;
     template <typename Finish>
@@ -43,7 +43,7 @@ private:
     const ClothModel& cloth_;
     ForcesDescription description_;
     std::optional<WindDescription> wind_;
-    std::vector<Real> inverse_masses_;  ///< [particle], 0: pinned [1/kg]
+    std::vector<Real> inverse_masses_;  ///< [slot], 0: pinned or padding [1/kg]
     std::optional<GridSprings<Real>> grid_springs_;
     std::optional<MeshSprings<Real>> mesh_springs_;
     std::optional<GridAir<Real>> grid_air_;

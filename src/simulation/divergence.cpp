@@ -12,12 +12,11 @@ template <typename Real>
 std::optional<Divergence> find_divergence(const ClothModel& cloth,
                                           const ParticleState<Real>& state) {
     Divergence found;
-    for (std::size_t p = 0; p < cloth.particle_count; ++p) {
-        if (!is_finite(state.x[p]) || !is_finite(state.v[p])) {
-            found.particle = p;
-            return found;
-        }
-    }
+    cloth.layout.for_each([&](std::size_t p, std::size_t slot) {
+        if (found.particle) return;
+        if (!is_finite(state.x[slot]) || !is_finite(state.v[slot])) found.particle = p;
+    });
+    if (found.particle) return found;
     const SpringStrain strain = largest_strain(cloth, state.x.view());
     if (std::abs(strain.strain) <= Divergence::max_strain) return std::nullopt;
     found.spring = strain;

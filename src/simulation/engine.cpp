@@ -103,18 +103,18 @@ ClothEngine<Real>::ClothEngine(const ClothModel& cloth, const SceneDescription& 
       scene_(scene),
       system_(cloth, scene),
       integrator_(make_integrator<Real>(scene.integrator.method)) {
-    state_.x = Vec3Array<Real>(cloth.particle_count);
-    state_.v = Vec3Array<Real>(cloth.particle_count);
-    for (std::size_t p = 0; p < cloth.particle_count; ++p) {
-        state_.x.set(p, vec3_cast<Real>(cloth.rest_position(p)));
-    }
+    state_.x = Vec3Array<Real>(cloth.layout.slot_count());
+    state_.v = Vec3Array<Real>(cloth.layout.slot_count());
+    cloth.layout.for_each([&](std::size_t p, std::size_t slot) {
+        state_.x.set(slot, vec3_cast<Real>(cloth.rest_position(p)));
+    });
     system_.constrain(0.0, state_.x.view(), state_.v.view());
     modes_ = stability_modes(cloth, scene.forces, system_, std::as_const(state_.x).view(),
                              fastest_mode_);
     if (!is_auto()) fastest_mode_ = {};
     steps_per_frame_ =
         is_auto() ? auto_steps() : steps_for(frame_length(), *scene.integrator.time_step);
-    integrator_->prepare(cloth.particle_count);
+    integrator_->prepare(cloth.layout.slot_count());
     save();
 }
 
@@ -249,38 +249,40 @@ void ClothEngine<Real>::capture(FrameBuffer& buffer) const {
     buffer.positions.resize(cloth_.particle_count);
     buffer.velocities.resize(cloth_.particle_count);
     buffer.normals.resize(cloth_.particle_count);
-    for (std::size_t p = 0; p < cloth_.particle_count; ++p) {
-        buffer.positions[p] = vec3_cast<double>(state_.x[p]);
-        buffer.velocities[p] = vec3_cast<double>(state_.v[p]);
-    }
+    cloth_.layout.for_each([&](std::size_t p, std::size_t slot) {
+        buffer.positions[p] = vec3_cast<double>(state_.x[slot]);
+        buffer.velocities[p] = vec3_cast<double>(state_.v[slot]);
+    });
     compute_normals(cloth_.surface, buffer.positions, buffer.normals);
 }
 
 template <typename Real>
 void ClothEngine<Real>::set_state(std::span<const Vec3d> x, std::span<const Vec3d> v) {
-    for (std::size_t p = 0; p < cloth_.particle_count; ++p) {
-        state_.x.set(p, vec3_cast<Real>(x[p]));
-        state_.v.set(p, vec3_cast<Real>(v[p]));
-    }
+    cloth_.layout.for_each([&](std::size_t p, std::size_t slot) {
+        state_.x.set(slot, vec3_cast<Real>(x[p]));
+        state_.v.set(slot, vec3_cast<Real>(v[p]));
+    });
     system_.constrain(state_.time, state_.x.view(), state_.v.view());
     integrator_->restart();
     power_known_ = false;
     save();
 }
 
+// A wrapping sum over (particle, x or v, component): no term waits for another, and the layout does
+// not matter.
 template <typename Real>
 std::uint64_t ClothEngine<Real>::state_hash() const {
     using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-    std::uint64_t hash = cloth_.particle_count;
-    for (const Vec3Array<Real>* array : {&state_.x, &state_.v}) {
-        for (std::size_t p = 0; p < cloth_.particle_count; ++p) {
-            const Vec3<Real> value = (*array)[p];
-            for (const Real component : {value.x, value.y, value.z}) {
-                hash = mix_bits(hash ^ std::bit_cast<Bits>(component));
-            }
+    constexpr std::uint64_t apart = 0xd6e8feb86659fd93u;  // odd: tells all indices apart
+    std::uint64_t sum = cloth_.particle_count;
+    cloth_.layout.for_each([&](std::size_t p, std::size_t slot) {
+        const Vec3<Real> x = state_.x[slot], v = state_.v[slot];
+        std::uint64_t index = 6 * p;
+        for (const Real component : {x.x, x.y, x.z, v.x, v.y, v.z}) {
+            sum += mix_bits(std::bit_cast<Bits>(component) + index++ * apart);
         }
-    }
-    return hash;
+    });
+    return mix_bits(sum);
 }
 
 }  // namespace

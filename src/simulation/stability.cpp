@@ -15,13 +15,13 @@ namespace weft {
 namespace {
 
 template <typename Real>
-void start_vector(Vec3Array<Real>& vector) {
+void start_vector(const ParticleLayout& layout, Vec3Array<Real>& vector) {
     const auto random = [](std::size_t p, std::uint64_t component) {
         return static_cast<Real>(random_uniform(1, component, p) - 0.5);
     };
-    for (std::size_t p = 0; p < vector.size(); ++p) {
-        vector.set(p, {random(p, 0), random(p, 1), random(p, 2)});
-    }
+    layout.for_each([&](std::size_t p, std::size_t slot) {
+        vector.set(slot, {random(p, 0), random(p, 1), random(p, 2)});
+    });
 }
 
 // product(in, out) in the symmetric form M^-1/2 A M^-1/2.
@@ -62,7 +62,7 @@ double StabilityModes::stable_step(std::string_view method) const {
 template <typename Real>
 double follow_largest_stiffness(const ClothModel& cloth, const ClothSystem<Real>& system,
                                 ConstVec3View<Real> x, Vec3Array<Real>& vector, int products) {
-    Vec3Array<Real> scaled(cloth.particle_count), image(cloth.particle_count);
+    Vec3Array<Real> scaled(cloth.layout.slot_count()), image(cloth.layout.slot_count());
     const auto stiffness = mass_scaled(
         system, scaled,
         [&](ConstVec3View<Real> in, Vec3View<Real> out) { stiffness_product(cloth, x, in, out); });
@@ -74,14 +74,15 @@ double follow_largest_stiffness(const ClothModel& cloth, const ClothSystem<Real>
 // The unit vector that `product` multiplies most, and how much. Its work space ends with it: this
 // is where a simulation needs the most memory.
 template <typename Real, typename Product>
-std::pair<double, Vec3Array<Real>> dominant(const ClothSystem<Real>& system, std::size_t count,
+std::pair<double, Vec3Array<Real>> dominant(const ClothModel& cloth,
+                                            const ClothSystem<Real>& system,
                                             const Product& product) {
     // Enough for six digits on a small cloth; on a million particles for three, in a few seconds.
     constexpr double tolerance = 1e-6, product_budget = 2e7;
-    const int max_products =
-        static_cast<int>(std::clamp(product_budget / static_cast<double>(count), 40.0, 200.0));
-    LargestEigenvalue<Real> search(count);
-    start_vector(search.vector());
+    const int max_products = static_cast<int>(
+        std::clamp(product_budget / static_cast<double>(cloth.particle_count), 40.0, 200.0));
+    LargestEigenvalue<Real> search(cloth.layout.slot_count());
+    start_vector(cloth.layout, search.vector());
     system.scale_by_root_inverse_mass(search.vector().view());  // nothing on pinned particles
     const double value = search.iterate(product, tolerance, max_products).value;
     return {std::max(value, 0.0), std::move(search.vector())};
@@ -113,8 +114,7 @@ template <typename Real>
 StabilityModes stability_modes(const ClothModel& cloth, const ForcesDescription& forces,
                                const ClothSystem<Real>& system, ConstVec3View<Real> x,
                                Vec3Array<Real>& fastest_mode) {
-    const std::size_t count = cloth.particle_count;
-    Vec3Array<Real> scaled(count);
+    Vec3Array<Real> scaled(cloth.layout.slot_count());
     const auto damping =
         mass_scaled(system, scaled, [&](ConstVec3View<Real> in, Vec3View<Real> out) {
             damping_product(cloth, forces, x, in, out);
@@ -124,7 +124,7 @@ StabilityModes stability_modes(const ClothModel& cloth, const ForcesDescription&
         [&](ConstVec3View<Real> in, Vec3View<Real> out) { stiffness_product(cloth, x, in, out); });
     StabilityModes found;
     double squared = 0.0;
-    std::tie(squared, fastest_mode) = dominant(system, count, stiffness);
+    std::tie(squared, fastest_mode) = dominant(cloth, system, stiffness);
     const Mode fastest{std::sqrt(squared), rayleigh_quotient(fastest_mode, damping)};
     found.modes.push_back(fastest);
     const auto [lightest, heaviest] = std::minmax_element(cloth.masses.begin(), cloth.masses.end());
@@ -135,13 +135,14 @@ StabilityModes stability_modes(const ClothModel& cloth, const ForcesDescription&
         return Mode{std::max(omega, 1e-3 * rate), rate};
     };
     if (fastest.damping_rate > 0.0) {
-        const auto [rate, vector] = dominant(system, count, damping);
+        const auto [rate, vector] = dominant(cloth, system, damping);
         found.modes.push_back(damped_mode(std::sqrt(rayleigh_quotient(vector, stiffness)), rate));
     }
     if (forces.damping > 0.0) {
         found.modes.push_back(damped_mode(1e-3 * fastest.omega, forces.damping / *lightest));
     }
-    add_slower_modes(found, forces.damping * static_cast<double>(count) / cloth.total_mass());
+    add_slower_modes(
+        found, forces.damping * static_cast<double>(cloth.particle_count) / cloth.total_mass());
     return found;
 }
 

@@ -99,7 +99,7 @@ protected:
     [[nodiscard]] double error_after(std::string_view method, int steps) const {
         ClothSystem<double> system(cloth_, scene_);
         const auto integrator = make_integrator<double>(method);
-        integrator->prepare(cloth_.particle_count);
+        integrator->prepare(cloth_.layout.slot_count());
         ParticleState<double> state = rest_state<double>(cloth_);
         for (int n = 0; n < steps; ++n) integrator->step(system, end_time / steps, state);
         double sum = 0.0;
@@ -107,7 +107,8 @@ protected:
         for (std::size_t p = 0; p < n; ++p) {
             const Vec3d x{end_[3 * p], end_[3 * p + 1], end_[3 * p + 2]};
             const Vec3d v{end_[3 * (n + p)], end_[3 * (n + p) + 1], end_[3 * (n + p) + 2]};
-            sum += dot(state.x[p] - x, state.x[p] - x) + dot(state.v[p] - v, state.v[p] - v);
+            const Vec3d dx = state.x[cloth_.slot(p)] - x, dv = state.v[cloth_.slot(p)] - v;
+            sum += dot(dx, dx) + dot(dv, dv);
         }
         return std::sqrt(sum);
     }

@@ -33,7 +33,7 @@ ParticleState<Real> after_steps(const ClothModel& cloth, const SceneDescription&
     ParticleState<Real> state =
         disturbed_state<Real>(cloth, cloth.is_grid() ? cloth.shape.dx : 0.005);
     const auto integrator = make_integrator<Real>(method);
-    integrator->prepare(cloth.particle_count);
+    integrator->prepare(cloth.layout.slot_count());
     team.run([&] {
         for (int n = 0; n < 3; ++n) integrator->step(system, 2e-5, state);
     });
@@ -44,7 +44,7 @@ template <typename Real>
 void expect_same_bits(const ClothModel& cloth, const SceneDescription& scene) {
     for (const IntegratorInfo& info : integrator_catalogue()) {
         const ParticleState<Real> one = after_steps<Real>(cloth, scene, info.name, 1);
-        ASSERT_TRUE(is_finite(one.x[cloth.particle_count - 1]));
+        ASSERT_TRUE(is_finite(one.x[cloth.slot(cloth.particle_count - 1)]));
         for (const int threads : {2, 7}) {
             const ParticleState<Real> many = after_steps<Real>(cloth, scene, info.name, threads);
             EXPECT_EQ(different_bits(one.x, many.x), 0u) << info.name << " " << threads;
@@ -67,11 +67,11 @@ TEST(Threads, GiveTheSameBitsOnAMesh) {
     expect_same_bits<double>(cloth, scene);
 }
 
-// The loops above are split indeed: with 7 threads 200 rows of 300, in parts of 13 at least, and
-// 180 000 components, in parts of 65 536.
+// The loops above are split indeed: with 7 threads 200 rows of 304 slots, in parts of 13 at least,
+// and 182 400 components, in parts of 65 536.
 TEST(Threads, ShareLoopsOfThisSize) {
     ThreadTeam team(7);
-    for (const auto& [count, grain] : {std::pair{200, 13}, {180'000, 65'536}}) {
+    for (const auto& [count, grain] : {std::pair{200, 13}, {182'400, 65'536}}) {
         std::atomic<int> parts = 0;
         team.run([&] {
             parallel_for(static_cast<std::size_t>(count), static_cast<std::size_t>(grain),

@@ -23,7 +23,7 @@ WindDescription air_of(double skin_friction = friction) {
 Vec3d force_on_plate(Vec3d wind, double skin_friction = friction) {
     const ClothModel cloth = build_cloth(bare_sheet(7, 5, 1.5, 0.8));
     const auto state = rest_state<double>(cloth);
-    return sum_of(as_vectors(grid_air_forces(air_of(skin_friction), cloth.shape, wind, state)));
+    return sum_of(grid_air_forces(air_of(skin_friction), cloth, wind, state));
 }
 
 constexpr double area = 1.5 * 0.8;  // [m2]
@@ -68,23 +68,23 @@ TEST(PlateForce, IsThatOfTheRelativeWind) {
     const ClothModel cloth = build_cloth(bare_sheet(4, 4));
     auto state = rest_state<double>(cloth);
     const Vec3d wind{3.0, -1.0, 2.0}, motion{1.0, 2.0, -4.0};
-    for (std::size_t p = 0; p < cloth.particle_count; ++p) state.v.set(p, motion);
-    const auto moving = as_vectors(grid_air_forces(air_of(), cloth.shape, wind, state));
-    for (std::size_t p = 0; p < cloth.particle_count; ++p) state.v.set(p, {});
-    const auto still = as_vectors(grid_air_forces(air_of(), cloth.shape, wind - motion, state));
+    for (std::size_t p = 0; p < cloth.particle_count; ++p) state.v.set(cloth.slot(p), motion);
+    const auto moving = grid_air_forces(air_of(), cloth, wind, state);
+    for (std::size_t p = 0; p < cloth.particle_count; ++p) state.v.set(cloth.slot(p), {});
+    const auto still = grid_air_forces(air_of(), cloth, wind - motion, state);
     EXPECT_LT(largest_difference(moving, still), 1e-15);
 }
 
 TEST(PlateForce, IsZeroWithoutRelativeWindOrArea) {
     const ClothModel cloth = build_cloth(bare_sheet(4, 4));
     auto state = rest_state<float>(cloth);
-    EXPECT_EQ(largest(as_vectors(grid_air_forces(air_of(), cloth.shape, {}, state))), 0.0);
+    EXPECT_EQ(largest(grid_air_forces(air_of(), cloth, {}, state)), 0.0);
     for (std::size_t p = 0; p < cloth.particle_count; ++p) {
-        const Vec3f x = state.x[p];
-        state.x.set(p, {x.x, 0.0f, 0.0f});  // crumpled onto a line
+        const Vec3f x = state.x[cloth.slot(p)];
+        state.x.set(cloth.slot(p), {x.x, 0.0f, 0.0f});  // crumpled onto a line
     }
-    EXPECT_EQ(largest(as_vectors(grid_air_forces(air_of(), cloth.shape, {1, 2, 3}, state))), 0.0);
-    EXPECT_EQ(largest(as_vectors(mesh_air_forces(air_of(), cloth.surface, {1, 2, 3}, state))), 0.0);
+    EXPECT_EQ(largest(grid_air_forces(air_of(), cloth, {1, 2, 3}, state)), 0.0);
+    EXPECT_EQ(largest(mesh_air_forces(air_of(), cloth, {1, 2, 3}, state)), 0.0);
 }
 
 // Nothing, to the square of the speed: no NaN where the formula has 0 / 0.
@@ -98,13 +98,12 @@ TEST(PlateForce, IsSmoothAtNoWind) {
 
 // A third to each corner of a triangle alone.
 TEST(MeshAir, GivesEachCornerAThird) {
-    Surface surface;
-    surface.particle_count = 3;
-    surface.triangles = {{0, 1, 2}};
+    ClothModel cloth = straight_chain(3, 1.0, 1.0, 1.0);
+    cloth.surface.triangles = {{0, 1, 2}};
     ParticleState<double> state{Vec3Array<double>(3), Vec3Array<double>(3), 0.0};
     state.x.set(1, {2.0, 0.0, 0.0});
     state.x.set(2, {0.0, 1.0, 0.0});
-    const auto f = as_vectors(mesh_air_forces(air_of(), surface, {0.0, 0.0, 3.0}, state));
+    const auto f = mesh_air_forces(air_of(), cloth, {0.0, 0.0, 3.0}, state);
     const double third = 0.5 * rho * 9.0 * 1.0 / (0.222 + 0.283) / 3.0;
     for (const Vec3d corner : f) EXPECT_NEAR(corner.z, third, 1e-14);
 }
@@ -112,12 +111,12 @@ TEST(MeshAir, GivesEachCornerAThird) {
 TEST(MeshAir, PowerIsForceTimesVelocity) {
     const ClothModel cloth = build_cloth(bare_sheet(6, 5));
     const auto state = disturbed_state<double>(cloth, 0.2);
-    MeshAir<double> air(air_of(), cloth.surface);
+    MeshAir<double> air(air_of(), cloth.surface, cloth.layout);
     air.compute({4.0, 1.0, 2.0}, state.x.view(), state.v.view(), 0, air.triangle_count());
-    Vec3Array<double> f(cloth.particle_count);
-    air.add_forces(f.view(), 0, cloth.particle_count);
+    Vec3Array<double> f(cloth.layout.slot_count());
+    air.add_forces(f.view(), 0, cloth.layout.slot_count());
     double power = 0.0;
-    for (std::size_t p = 0; p < cloth.particle_count; ++p) power += dot(f[p], state.v[p]);
+    for (std::size_t s = 0; s < f.size(); ++s) power += dot(f[s], state.v[s]);
     EXPECT_NEAR(air.power(state.v.view()), power, 1e-13 * std::abs(power));
 }
 
@@ -153,9 +152,10 @@ TYPED_TEST(GridAirKernel, AgreesWithThePlainLoopAndTheMeshKernel) {
         const auto state = disturbed_state<TypeParam>(cloth, 0.1);
         const Vec3d wind{6.0, -1.0, 3.0};
         std::vector<Vec3d> plain(cloth.particle_count);
-        NaiveCloth(scene).add_air(wind, as_vectors(state.x), as_vectors(state.v), plain);
-        const auto grid = as_vectors(grid_air_forces(*scene.wind, cloth.shape, wind, state));
-        const auto mesh = as_vectors(mesh_air_forces(*scene.wind, cloth.surface, wind, state));
+        NaiveCloth(scene).add_air(wind, as_vectors(cloth, state.x), as_vectors(cloth, state.v),
+                                  plain);
+        const auto grid = grid_air_forces(*scene.wind, cloth, wind, state);
+        const auto mesh = mesh_air_forces(*scene.wind, cloth, wind, state);
         const double tolerance = (sizeof(TypeParam) == 4 ? 2e-4 : 1e-12) * largest(plain);
         ASSERT_GT(largest(plain), 0.01);
         EXPECT_LT(largest_difference(grid, plain), tolerance);
@@ -168,8 +168,8 @@ TYPED_TEST(GridAirKernel, GivesTheSameBitsInAnyBands) {
         const ClothModel cloth = build_cloth(scene);
         const auto state = disturbed_state<TypeParam>(cloth, 0.1);
         const Vec3<TypeParam> wind{6, -1, 3};
-        const GridAir<TypeParam> air(*scene.wind, cloth.shape);
-        Vec3Array<TypeParam> whole(cloth.particle_count), bands(cloth.particle_count);
+        const GridAir<TypeParam> air(*scene.wind, cloth.shape, cloth.layout.row_stride());
+        Vec3Array<TypeParam> whole(cloth.layout.slot_count()), bands(cloth.layout.slot_count());
         air.add_forces(wind, state.x.view(), state.v.view(), whole.view(), 0, cloth.shape.rows);
         std::size_t end = cloth.shape.rows;
         for (std::size_t rows = 1; end > 0; ++rows) {

@@ -10,17 +10,17 @@ namespace {
 // Every spring longer than at rest: the sheet blown up by a half, and disturbed a little.
 ParticleState<double> stretched_state(const ClothModel& cloth) {
     ParticleState<double> state = rest_state<double>(cloth);
-    for (std::size_t p = 0; p < cloth.particle_count; ++p) state.x.set(p, 1.5 * state.x[p]);
-    disturb(state.x, 0.02, 3);
+    for (std::size_t s = 0; s < state.x.size(); ++s) state.x.set(s, 1.5 * state.x[s]);
+    disturb(cloth, state.x, 0.02, 3);
     cloth.for_each_spring([&](const Spring& s, const SpringConstants&) {
-        EXPECT_GT(length(state.x[s.q] - state.x[s.p]), s.rest_length);
+        EXPECT_GT(length(state.x[cloth.slot(s.q)] - state.x[cloth.slot(s.p)]), s.rest_length);
     });
     return state;
 }
 
 Vec3Array<double> direction(const ClothModel& cloth) {
-    Vec3Array<double> u(cloth.particle_count);
-    disturb(u, 1.0, 8);
+    Vec3Array<double> u(cloth.layout.slot_count());
+    disturb(cloth, u, 1.0, 8);
     return u;
 }
 
@@ -30,9 +30,8 @@ std::vector<Vec3d> difference_of_forces(const ClothModel& cloth, ParticleState<d
     const Vec3Array<double> x = state.x;
     std::vector<Vec3d> result(cloth.particle_count);
     for (const double side : {1.0, -1.0}) {
-        for (std::size_t p = 0; p < cloth.particle_count; ++p)
-            state.x.set(p, x[p] + side * h * u[p]);
-        const Vec3Array<double> f = spring_forces(cloth, state);
+        for (std::size_t s = 0; s < x.size(); ++s) state.x.set(s, x[s] + side * h * u[s]);
+        const std::vector<Vec3d> f = as_vectors(cloth, spring_forces(cloth, state));
         for (std::size_t p = 0; p < cloth.particle_count; ++p) result[p] += (side / (2 * h)) * f[p];
     }
     return result;
@@ -42,14 +41,15 @@ TEST(StiffnessProduct, IsMinusTheForcesGradientWhereSpringsAreStretched) {
     for (const bool as_mesh : {false, true}) {
         SceneDescription scene = bare_sheet(5, 4, 1.0, 0.6);
         if (as_mesh) make_mesh_of_grid(scene);
-        const ClothModel cloth = build_cloth(scene);
+        ClothModel cloth = build_cloth(scene);
+        if (as_mesh) shuffle_layout(cloth);
         const ParticleState<double> state = stretched_state(cloth);
         const Vec3Array<double> u = direction(cloth);
-        Vec3Array<double> product(cloth.particle_count);
+        Vec3Array<double> product(cloth.layout.slot_count());
         stiffness_product<double>(cloth, state.x.view(), u.view(), product.view());
         std::vector<Vec3d> sum = difference_of_forces(cloth, state, u, 1e-6);
         const double size = largest(sum);
-        for (std::size_t p = 0; p < sum.size(); ++p) sum[p] += product[p];
+        for (std::size_t p = 0; p < sum.size(); ++p) sum[p] += product[cloth.slot(p)];
         EXPECT_GT(size, 50.0);
         EXPECT_LT(largest(sum), 1e-8 * size);
     }
@@ -59,11 +59,11 @@ TEST(StiffnessProduct, IsMinusTheForcesGradientWhereSpringsAreStretched) {
 TEST(StiffnessProduct, AtRestHoldsNothingAcrossTheSheet) {
     const ClothModel cloth = build_cloth(bare_sheet(5, 4));
     const auto state = rest_state<double>(cloth);
-    Vec3Array<double> u(cloth.particle_count), product(cloth.particle_count);
+    Vec3Array<double> u(cloth.layout.slot_count()), product(cloth.layout.slot_count());
     for (std::size_t p = 0; p < cloth.particle_count; ++p)
-        u.set(p, {0.0, 0.0, random_vector(1, p).z});
+        u.set(cloth.slot(p), {0.0, 0.0, random_vector(1, p).z});
     stiffness_product<double>(cloth, state.x.view(), u.view(), product.view());
-    EXPECT_LT(largest(as_vectors(product)), 1e-12);
+    EXPECT_LT(largest(as_vectors(cloth, product)), 1e-12);
 }
 
 // One spring of k = 30, compressed to half: k along it, and nothing across, where the true Hessian
@@ -102,19 +102,21 @@ TEST(DampingProduct, IsMinusTheForceOfDashpotsAndDrag) {
         add_dashpots(scene, 0.03);
         scene.forces.damping = 0.7;
         if (as_mesh) make_mesh_of_grid(scene);
-        const ClothModel cloth = build_cloth(scene);
+        ClothModel cloth = build_cloth(scene);
+        if (as_mesh) shuffle_layout(cloth);
         ParticleState<double> state = disturbed_state<double>(cloth, 0.2);
-        const std::vector<Vec3d> moving = as_vectors(spring_forces(cloth, state));
+        const std::vector<Vec3d> moving = as_vectors(cloth, spring_forces(cloth, state));
         const Vec3Array<double> u = state.v;
         state.v.fill_zero();
-        const std::vector<Vec3d> still = as_vectors(spring_forces(cloth, state));
-        Vec3Array<double> product(cloth.particle_count);
+        const std::vector<Vec3d> still = as_vectors(cloth, spring_forces(cloth, state));
+        Vec3Array<double> product(cloth.layout.slot_count());
         damping_product<double>(cloth, scene.forces, state.x.view(), u.view(), product.view());
         std::vector<Vec3d> expected;
         for (std::size_t p = 0; p < moving.size(); ++p) {
-            expected.push_back(0.7 * u[p] - (moving[p] - still[p]));
+            expected.push_back(0.7 * u[cloth.slot(p)] - (moving[p] - still[p]));
         }
-        EXPECT_LT(largest_difference(as_vectors(product), expected), 1e-13 * largest(expected));
+        EXPECT_LT(largest_difference(as_vectors(cloth, product), expected),
+                  1e-13 * largest(expected));
     }
 }
 
@@ -125,12 +127,12 @@ TEST(LinearisedForces, AreSymmetricAndNotNegative) {
     const ClothModel cloth = build_cloth(scene);
     const auto state = disturbed_state<double>(cloth, 0.3);
     for (std::uint64_t seed = 1; seed < 20; ++seed) {
-        Vec3Array<double> u(cloth.particle_count), w = u, ku = u, kw = u;
-        disturb(u, 1.0, seed);
-        disturb(w, 1.0, seed + 100);
+        Vec3Array<double> u(cloth.layout.slot_count()), w = u, ku = u, kw = u;
+        disturb(cloth, u, 1.0, seed);
+        disturb(cloth, w, 1.0, seed + 100);
         const auto inner = [](const Vec3Array<double>& a, const Vec3Array<double>& b) {
             double sum = 0.0;
-            for (std::size_t p = 0; p < a.size(); ++p) sum += dot(a[p], b[p]);
+            for (std::size_t s = 0; s < a.size(); ++s) sum += dot(a[s], b[s]);
             return sum;
         };
         stiffness_product<double>(cloth, state.x.view(), u.view(), ku.view());

@@ -31,7 +31,15 @@ protected:
     }
 
     [[nodiscard]] std::vector<Vec3d> forces(const ParticleState<double>& state) const {
-        return as_vectors(spring_forces(build_cloth(scene_), state));
+        const ClothModel cloth = model();
+        return as_vectors(cloth, spring_forces(cloth, state));
+    }
+
+    // A mesh's particles out of order: nothing may take a slot for a particle.
+    [[nodiscard]] ClothModel model() const {
+        ClothModel cloth = build_cloth(scene_);
+        if (GetParam().mesh) shuffle_layout(cloth);
+        return cloth;
     }
 
     SceneDescription scene_;
@@ -44,7 +52,7 @@ TEST_P(SpringForces, AreTheGradientOfTheirEnergyByKind) {
         scene_.material.structural = kind == 0 ? all.structural : SpringMaterial{};
         scene_.material.shear = kind == 1 ? all.shear : SpringMaterial{};
         scene_.material.bend = kind == 2 ? all.bend : SpringMaterial{};
-        const ClothModel cloth = build_cloth(scene_);
+        const ClothModel cloth = model();
         ParticleState<double> state = disturbed_state<double>(cloth, 0.2);
         const std::vector<Vec3d> f = forces(state);
         ASSERT_GT(largest(f), 0.01);
@@ -56,14 +64,15 @@ TEST_P(SpringForces, AreTheGradientOfTheirEnergyByKind) {
         };
         constexpr double h = 1e-6;
         for (std::size_t p = 0; p < cloth.particle_count; ++p) {
-            const Vec3d x = state.x[p];
+            const std::size_t slot = cloth.slot(p);
+            const Vec3d x = state.x[slot];
             const std::array<Vec3d, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
             for (const Vec3d axis : axes) {
-                state.x.set(p, x + h * axis);
+                state.x.set(slot, x + h * axis);
                 const double above = stored();
-                state.x.set(p, x - h * axis);
+                state.x.set(slot, x - h * axis);
                 const double below = stored();
-                state.x.set(p, x);
+                state.x.set(slot, x);
                 EXPECT_NEAR(dot(f[p], axis), -(above - below) / (2 * h), 1e-8 * largest(f));
             }
         }
@@ -72,10 +81,11 @@ TEST_P(SpringForces, AreTheGradientOfTheirEnergyByKind) {
 
 TEST_P(SpringForces, HaveNoNetForceAndNoNetTorque) {
     add_dashpots(scene_, 0.02);
-    const ParticleState<double> state = disturbed_state<double>(build_cloth(scene_), 0.2);
+    const ClothModel cloth = model();
+    const ParticleState<double> state = disturbed_state<double>(cloth, 0.2);
     const std::vector<Vec3d> f = forces(state);
     EXPECT_LT(length(sum_of(f)), 1e-14 * largest(f) * 20);
-    EXPECT_LT(length(torque_of(as_vectors(state.x), f)), 1e-14 * largest(f) * 20);
+    EXPECT_LT(length(torque_of(as_vectors(cloth, state.x), f)), 1e-14 * largest(f) * 20);
 }
 
 // P = sum f.v of the dashpots alone = -sum c rate^2, below zero; equal to what the report uses.
@@ -85,14 +95,15 @@ TEST_P(SpringForces, OfDashpotsTakeEnergy) {
          {&scene_.material.structural, &scene_.material.shear, &scene_.material.bend}) {
         spring->stiffness = 0.0;
     }
-    const ClothModel cloth = build_cloth(scene_);
+    const ClothModel cloth = model();
     const ParticleState<double> state = disturbed_state<double>(cloth, 0.2);
     const std::vector<Vec3d> f = forces(state);
     double power = 0.0, expected = 0.0;
-    for (std::size_t p = 0; p < f.size(); ++p) power += dot(f[p], state.v[p]);
+    for (std::size_t p = 0; p < f.size(); ++p) power += dot(f[p], state.v[cloth.slot(p)]);
     cloth.for_each_spring([&](const Spring& s, const SpringConstants& c) {
-        const Vec3d d = state.x[s.q] - state.x[s.p];
-        const double rate = dot(state.v[s.q] - state.v[s.p], d) / length(d);
+        const std::size_t p = cloth.slot(s.p), q = cloth.slot(s.q);
+        const Vec3d d = state.x[q] - state.x[p];
+        const double rate = dot(state.v[q] - state.v[p], d) / length(d);
         expected -= c.damping * rate * rate;
     });
     EXPECT_LT(power, -0.1);
@@ -104,12 +115,12 @@ TEST_P(SpringForces, OfDashpotsTakeEnergy) {
 // A rigid motion, v = w x x + u, changes no length: no dashpot pulls.
 TEST_P(SpringForces, OfDashpotsVanishInARigidMotion) {
     add_dashpots(scene_, 5.0);
-    const ClothModel cloth = build_cloth(scene_);
+    const ClothModel cloth = model();
     ParticleState<double> state = disturbed_state<double>(cloth, 0.2), still = state;
-    for (std::size_t p = 0; p < cloth.particle_count; ++p) {
-        state.v.set(p, cross(Vec3d{1.0, -2.0, 3.0}, state.x[p]) + Vec3d{4.0, 5.0, 6.0});
-        still.v.set(p, {});
-    }
+    cloth.layout.for_each([&](std::size_t, std::size_t s) {
+        state.v.set(s, cross(Vec3d{1.0, -2.0, 3.0}, state.x[s]) + Vec3d{4.0, 5.0, 6.0});
+        still.v.set(s, {});
+    });
     EXPECT_LT(largest_difference(forces(state), forces(still)), 1e-11);
     EXPECT_NEAR(dashpot_power<double>(cloth, state.x.view(), state.v.view()), 0.0, 1e-20);
 }
@@ -117,17 +128,17 @@ TEST_P(SpringForces, OfDashpotsVanishInARigidMotion) {
 // Moved and turned as a whole, the forces turn with the cloth.
 TEST_P(SpringForces, TurnWithTheCloth) {
     add_dashpots(scene_, 0.02);
-    const ClothModel cloth = build_cloth(scene_);
+    const ClothModel cloth = model();
     ParticleState<double> state = disturbed_state<double>(cloth, 0.2);
     const std::vector<Vec3d> f = forces(state);
     const auto turn = [](Vec3d a) {
         return Vec3d{0.36 * a.x + 0.48 * a.y - 0.8 * a.z, -0.8 * a.x + 0.6 * a.y,
                      0.48 * a.x + 0.64 * a.y + 0.6 * a.z};
     };
-    for (std::size_t p = 0; p < cloth.particle_count; ++p) {
-        state.x.set(p, turn(state.x[p]) + Vec3d{2.0, -1.0, 0.5});
-        state.v.set(p, turn(state.v[p]) + Vec3d{-3.0, 0.0, 1.0});
-    }
+    cloth.layout.for_each([&](std::size_t, std::size_t s) {
+        state.x.set(s, turn(state.x[s]) + Vec3d{2.0, -1.0, 0.5});
+        state.v.set(s, turn(state.v[s]) + Vec3d{-3.0, 0.0, 1.0});
+    });
     std::vector<Vec3d> turned;
     for (const Vec3d a : f) turned.push_back(turn(a));
     EXPECT_LT(largest_difference(forces(state), turned), 1e-12 * largest(f));
@@ -161,8 +172,8 @@ void expect_opposite_to_the_bit(const ClothModel& cloth, std::size_t p, std::siz
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         const auto state = disturbed_state<Real>(cloth, 1.0, seed);
         const Vec3Array<Real> f = spring_forces(cloth, state);
-        ASSERT_NE(f[p], Vec3<Real>{});
-        ASSERT_EQ(f[p], -f[q]) << seed;
+        ASSERT_NE(f[cloth.slot(p)], Vec3<Real>{});
+        ASSERT_EQ(f[cloth.slot(p)], -f[cloth.slot(q)]) << seed;
     }
 }
 
@@ -185,10 +196,10 @@ template <typename Real>
 void expect_no_force_at_one_point(const SceneDescription& scene) {
     const ClothModel cloth = build_cloth(scene);
     ParticleState<Real> state = rest_state<Real>(cloth);
-    for (std::size_t p = 0; p < cloth.particle_count; ++p) state.x.set(p, {1, 2, 3});
-    disturb(state.v, 1.0, 3);
+    for (std::size_t s = 0; s < state.x.size(); ++s) state.x.set(s, {1, 2, 3});
+    disturb(cloth, state.v, 1.0, 3);
     const Vec3Array<Real> f = spring_forces(cloth, state);
-    for (std::size_t p = 0; p < cloth.particle_count; ++p) EXPECT_EQ(f[p], Vec3<Real>{});
+    for (std::size_t s = 0; s < f.size(); ++s) EXPECT_EQ(f[s], Vec3<Real>{});
     EXPECT_EQ(dashpot_power<Real>(cloth, state.x.view(), state.v.view()), 0.0);
 }
 

@@ -12,15 +12,27 @@ using Precisions = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(Vec3Arrays, Precisions);
 
 TYPED_TEST(Vec3Arrays, KeepEachComponentOnItsOwnCacheLines) {
-    for (const std::size_t size : {1u, 7u, 8u, 16u, 17u, 1000u}) {
+    for (const std::size_t size : {1u, 7u, 8u, 16u, 17u, 496u, 504u, 512u, 1000u, 1008u, 4096u}) {
         Vec3Array<TypeParam> array(size);
         EXPECT_EQ(array.size(), size);
         EXPECT_GE(array.data_size(), 3 * size);
-        EXPECT_LT(array.data_size() * sizeof(TypeParam), 3 * (size * sizeof(TypeParam) + 64));
+        EXPECT_LT(array.data_size() * sizeof(TypeParam), 3 * (size * sizeof(TypeParam) + 3 * 64));
         const Vec3View<TypeParam> view = array.view();
         for (const TypeParam* component : {view.x, view.y, view.z}) {
             EXPECT_EQ(reinterpret_cast<std::uintptr_t>(component) % 64, 0u);
         }
+    }
+}
+
+// A line behind the last of each component, for kernels that read on; and no whole pages from one
+// component to the next, where the three would push each other out of the first-level cache.
+TYPED_TEST(Vec3Arrays, LeaveALineBehindEachComponentAndNeverWholePages) {
+    for (std::size_t size = 1; size < 5000; ++size) {
+        const Vec3Array<TypeParam> array(size);
+        const std::size_t stride = (array.data_size() / 3) * sizeof(TypeParam);
+        ASSERT_EQ(static_cast<std::size_t>(array.view().y - array.view().x), array.data_size() / 3);
+        ASSERT_GE(stride, size * sizeof(TypeParam) + 64) << size;
+        ASSERT_NE(stride % 4096, 0u) << size;
     }
 }
 

@@ -14,45 +14,50 @@
 
 namespace weft::test {
 
+/// An array of a state or of forces, [slot], as vectors by [particle].
 template <typename Real>
-std::vector<Vec3d> as_vectors(const Vec3Array<Real>& array) {
+std::vector<Vec3d> as_vectors(const ClothModel& cloth, const Vec3Array<Real>& array) {
     std::vector<Vec3d> vectors;
-    for (std::size_t p = 0; p < array.size(); ++p) vectors.push_back(vec3_cast<double>(array[p]));
+    for (std::size_t p = 0; p < cloth.particle_count; ++p) {
+        vectors.push_back(vec3_cast<double>(array[cloth.slot(p)]));
+    }
     return vectors;
 }
 
-/// The spring kernel that fits the cloth, on all of it.
+/// The spring kernel that fits the cloth, on all of it; [slot].
 template <typename Real>
 Vec3Array<Real> spring_forces(const ClothModel& cloth, const ParticleState<Real>& state) {
-    Vec3Array<Real> f(cloth.particle_count);
+    Vec3Array<Real> f(cloth.layout.slot_count());
     if (cloth.is_grid()) {
         GridSprings<Real>(cloth).add_forces(state.x.view(), state.v.view(), f.view(), 0,
                                             cloth.shape.rows);
     } else {
         MeshSprings<Real>(cloth).add_forces(state.x.view(), state.v.view(), f.view(), 0,
-                                            cloth.particle_count);
+                                            cloth.layout.slot_count());
     }
     return f;
 }
 
+/// The forces of the air on all of a cloth, [particle], by the kernel for meshes.
 template <typename Real>
-Vec3Array<Real> mesh_air_forces(const WindDescription& wind, const Surface& surface, Vec3d velocity,
-                                const ParticleState<Real>& state) {
-    MeshAir<Real> air(wind, surface);
+std::vector<Vec3d> mesh_air_forces(const WindDescription& wind, const ClothModel& cloth,
+                                   Vec3d velocity, const ParticleState<Real>& state) {
+    MeshAir<Real> air(wind, cloth.surface, cloth.layout);
     Vec3Array<Real> f(state.x.size());
     air.compute(vec3_cast<Real>(velocity), state.x.view(), state.v.view(), 0, air.triangle_count());
     air.add_forces(f.view(), 0, state.x.size());
-    return f;
+    return as_vectors(cloth, f);
 }
 
+/// The same by the kernel for grids.
 template <typename Real>
-Vec3Array<Real> grid_air_forces(const WindDescription& wind, const GridShape& shape, Vec3d velocity,
-                                const ParticleState<Real>& state) {
+std::vector<Vec3d> grid_air_forces(const WindDescription& wind, const ClothModel& cloth,
+                                   Vec3d velocity, const ParticleState<Real>& state) {
     Vec3Array<Real> f(state.x.size());
-    GridAir<Real>(wind, shape)
+    GridAir<Real>(wind, cloth.shape, cloth.layout.row_stride())
         .add_forces(vec3_cast<Real>(velocity), state.x.view(), state.v.view(), f.view(), 0,
-                    shape.rows);
-    return f;
+                    cloth.shape.rows);
+    return as_vectors(cloth, f);
 }
 
 inline Vec3d sum_of(const std::vector<Vec3d>& vectors) {
@@ -81,7 +86,7 @@ inline double largest_difference(const std::vector<Vec3d>& a, const std::vector<
     return difference;
 }
 
-/// How many components differ in a bit; -0 and 0 differ.
+/// How many components differ in a bit, in padding too; -0 and 0 differ.
 template <typename Real>
 std::size_t different_bits(const Vec3Array<Real>& a, const Vec3Array<Real>& b) {
     using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;

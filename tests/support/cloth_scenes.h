@@ -56,12 +56,23 @@ inline void make_mesh_of_grid(SceneDescription& scene) {
     scene.cloth.mesh_path = "grid.obj";
 }
 
+/// A mesh's particles at other slots, far from in order: neighbours 7 apart, and turned round.
+inline void shuffle_layout(ClothModel& mesh) {
+    const std::size_t count = mesh.particle_count;
+    std::vector<std::uint32_t> slots(count);
+    std::uint32_t slot = 0;
+    for (std::size_t first = 7; first-- > 0;) {
+        for (std::size_t p = first; p < count; p += 7) slots[p] = slot++;
+    }
+    mesh.layout = ParticleLayout::of_slots(std::move(slots));
+}
+
 template <typename Real>
 ParticleState<Real> rest_state(const ClothModel& cloth) {
-    ParticleState<Real> state{Vec3Array<Real>(cloth.particle_count),
-                              Vec3Array<Real>(cloth.particle_count), 0.0};
+    ParticleState<Real> state{Vec3Array<Real>(cloth.layout.slot_count()),
+                              Vec3Array<Real>(cloth.layout.slot_count()), 0.0};
     for (std::size_t p = 0; p < cloth.particle_count; ++p) {
-        state.x.set(p, vec3_cast<Real>(cloth.rest_position(p)));
+        state.x.set(cloth.slot(p), vec3_cast<Real>(cloth.rest_position(p)));
     }
     return state;
 }
@@ -74,20 +85,21 @@ inline Vec3d random_vector(std::uint64_t seed, std::size_t particle) {
     return {component(0), component(1), component(2)};
 }
 
-/// Adds random vectors of up to `amplitude` in each component.
+/// Adds random vectors of up to `amplitude` in each component to every particle's of [slot].
 template <typename Real>
-void disturb(Vec3Array<Real>& array, double amplitude, std::uint64_t seed) {
-    for (std::size_t p = 0; p < array.size(); ++p) {
-        array.set(p, array[p] + vec3_cast<Real>(amplitude * random_vector(seed, p)));
-    }
+void disturb(const ClothModel& cloth, Vec3Array<Real>& array, double amplitude,
+             std::uint64_t seed) {
+    cloth.layout.for_each([&](std::size_t p, std::size_t slot) {
+        array.set(slot, array[slot] + vec3_cast<Real>(amplitude * random_vector(seed, p)));
+    });
 }
 
 /// A state far from rest: places off by a fifth of the cell, speeds of up to 2 m/s.
 template <typename Real>
 ParticleState<Real> disturbed_state(const ClothModel& cloth, double cell, std::uint64_t seed = 5) {
     ParticleState<Real> state = rest_state<Real>(cloth);
-    disturb(state.x, 0.2 * cell, seed);
-    disturb(state.v, 2.0, seed + 1);
+    disturb(cloth, state.x, 0.2 * cell, seed);
+    disturb(cloth, state.v, 2.0, seed + 1);
     return state;
 }
 
@@ -96,6 +108,7 @@ inline ClothModel straight_chain(std::size_t particles, double link, double mass
                                  double damping = 0.0) {
     ClothModel chain;
     chain.particle_count = particles;
+    chain.layout = ParticleLayout::in_order(particles);
     chain.surface.particle_count = particles;
     chain.materials[0] = {stiffness, damping};
     chain.masses.assign(particles, mass);
