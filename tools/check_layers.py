@@ -14,7 +14,7 @@ import sys
 LAYERS = ["data", "math", "cloth", "forces", "integrators", "simulation", "render", "io", "apps"]
 PUBLIC = {
     "vec3.h": "data", "error.h": "data", "scene.h": "data", "frame.h": "data",
-    "measures.h": "data", "recorder.h": "data", "version.h": "data",
+    "measures.h": "data", "recorder.h": "data", "version.h": "data", "instruction_set.h": "data",
     "integrators.h": "integrators", "simulation.h": "simulation", "weft.h": "apps",
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]')

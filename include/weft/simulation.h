@@ -70,6 +70,8 @@ public:
     /// Findings in the mesh, a line each; empty for a grid or a flawless mesh.
     [[nodiscard]] const std::vector<std::string>& mesh_findings() const;
     [[nodiscard]] int threads() const;
+    /// Of the kernels it runs: the instruction_set() of when it was made.
+    [[nodiscard]] std::string_view instruction_set() const;
 
     [[nodiscard]] LinearAnalysis linear_analysis() const;
     /// Largest step at which `method` is stable on this scene, linearised at its start [s];

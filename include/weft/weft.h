@@ -3,6 +3,7 @@
 
 #include "weft/error.h"
 #include "weft/frame.h"
+#include "weft/instruction_set.h"
 #include "weft/integrators.h"
 #include "weft/measures.h"
 #include "weft/recorder.h"

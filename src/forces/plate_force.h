@@ -14,6 +14,7 @@ struct AirConstants {
     Real normal = 0;      ///< rho * drag / 4 [kg/m3]; applied to |N| = 2 A
     Real tangential = 0;  ///< rho * C_f / 2 [kg/m3]; the same
 
+    AirConstants() = default;
     explicit AirConstants(const WindDescription& wind)
         : normal(static_cast<Real>(wind.air_density * wind.drag / 4.0)),
           tangential(static_cast<Real>(wind.air_density * wind.skin_friction / 2.0)) {}

@@ -35,38 +35,56 @@ double composition_amplification(const CompositionTable& table, double omega_dt,
 }
 
 template <typename Real>
-void Composition<Real>::prepare(std::size_t slot_count) {
-    a_ = Vec3Array<Real>(slot_count);
+void Composition<Real>::prepare(DynamicsSystem<Real>& system) {
+    a_ = Vec3Array<Real>(system.kick_drift_pass() != nullptr ? 0 : system.slot_count());
+}
+
+template <typename Real>
+void Composition<Real>::drift(double h, ParticleState<Real>& state) const {
+    if (h == 0.0) return;
+    const Real step = static_cast<Real>(h);
+    for_components(state.x, [&](std::size_t begin, std::size_t end) {
+        Real* x = state.x.data();
+        const Real* v = state.v.data();
+        for (std::size_t n = begin; n < end; ++n) x[n] += step * v[n];
+    });
+}
+
+template <typename Real>
+void Composition<Real>::kick(DynamicsSystem<Real>& system, double t, double h,
+                             ParticleState<Real>& state) {
+    system.acceleration(t, state.x.view(), state.v.view(), a_.view());
+    const Real step = static_cast<Real>(h);
+    for_components(state.v, [&](std::size_t begin, std::size_t end) {
+        Real* v = state.v.data();
+        const Real* a = a_.data();
+        for (std::size_t n = begin; n < end; ++n) v[n] += step * a[n];
+    });
 }
 
 template <typename Real>
 void Composition<Real>::step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) {
     double t = state.time;
-    const auto drift = [&](double fraction) {
+    const auto drifted = [&](double fraction) {
         if (fraction == 0.0) return;
         t += fraction * dt;
-        const Real h = static_cast<Real>(fraction * dt);
-        for_components(state.x, [&](std::size_t begin, std::size_t end) {
-            Real* x = state.x.data();
-            const Real* v = state.v.data();
-            for (std::size_t n = begin; n < end; ++n) x[n] += h * v[n];
-        });
         system.constrain(t, state.x.view(), state.v.view());
     };
-    const auto kick = [&](double fraction) {
-        system.acceleration(t, state.x.view(), state.v.view(), a_.view());
-        const Real h = static_cast<Real>(fraction * dt);
-        for_components(state.v, [&](std::size_t begin, std::size_t end) {
-            Real* v = state.v.data();
-            const Real* a = a_.data();
-            for (std::size_t n = begin; n < end; ++n) v[n] += h * a[n];
-        });
-    };
-    for (std::size_t i = 0; i < static_cast<std::size_t>(table_.stages); ++i) {
-        drift(table_.stage[i].drift);
-        kick(table_.stage[i].kick);
+    KickDriftPass<Real>* const pass = system.kick_drift_pass();
+    const auto stages = static_cast<std::size_t>(table_.stages);
+    drift(table_.stage[0].drift * dt, state);
+    drifted(table_.stage[0].drift);
+    for (std::size_t i = 0; i < stages; ++i) {
+        const double kick_step = table_.stage[i].kick * dt;
+        const double fraction = i + 1 < stages ? table_.stage[i + 1].drift : table_.last_drift;
+        if (pass != nullptr) {
+            pass->kick_drift(t, kick_step, fraction * dt, state.x.view(), state.v.view());
+        } else {
+            kick(system, t, kick_step, state);
+            drift(fraction * dt, state);
+        }
+        drifted(fraction);
     }
-    drift(table_.last_drift);
     state.time += dt;
     system.constrain(state.time, state.x.view(), state.v.view());
 }

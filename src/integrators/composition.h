@@ -32,12 +32,15 @@ template <typename Real>
 class Composition final : public Integrator<Real> {
 public:
     explicit Composition(const CompositionTable& table) : table_(table) {}
-    void prepare(std::size_t slot_count) override;
+    void prepare(DynamicsSystem<Real>& system) override;
     void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
 
 private:
+    void drift(double h, ParticleState<Real>& state) const;
+    void kick(DynamicsSystem<Real>& system, double t, double h, ParticleState<Real>& state);
+
     CompositionTable table_;
-    Vec3Array<Real> a_;
+    Vec3Array<Real> a_;  // where the system has no pass of its own
 };
 
 }  // namespace weft

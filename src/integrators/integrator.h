@@ -16,12 +16,12 @@ class Integrator {
 public:
     virtual ~Integrator() = default;
 
-    /// Sizes the work arrays as those of the state; nothing else allocates. What is zero in x, v
+    /// Sizes the work arrays as the system's states; nothing else allocates. What is zero in x, v
     /// and every acceleration, as padding is, stays zero.
-    virtual void prepare(std::size_t slot_count) = 0;
+    virtual void prepare(DynamicsSystem<Real>& system) = 0;
 
     /// Advances `state` from t to t + dt.
-    /// @pre dt > 0 and finite [s]; prepare() ran for the size of its arrays.
+    /// @pre dt > 0 and finite [s]; prepare() ran for this system.
     virtual void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) = 0;
 
     /// Forgets what is kept from earlier steps: the next step starts from the state alone.

@@ -43,13 +43,13 @@ RungeKutta<Real>::RungeKutta(const ButcherTable& table) : table_(table) {
 }
 
 template <typename Real>
-void RungeKutta<Real>::prepare(std::size_t slot_count) {
+void RungeKutta<Real>::prepare(DynamicsSystem<Real>& system) {
     if (table_.stages > 1) {
-        stage_x_ = Vec3Array<Real>(slot_count);
-        stage_v_ = Vec3Array<Real>(slot_count);
+        stage_x_ = Vec3Array<Real>(system.slot_count());
+        stage_v_ = Vec3Array<Real>(system.slot_count());
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(table_.stages); ++i) {
-        slopes_[i] = Vec3Array<Real>(slot_count);
+        slopes_[i] = Vec3Array<Real>(system.slot_count());
     }
 }
 

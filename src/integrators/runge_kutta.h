@@ -31,7 +31,7 @@ template <typename Real>
 class RungeKutta final : public Integrator<Real> {
 public:
     explicit RungeKutta(const ButcherTable& table);
-    void prepare(std::size_t slot_count) override;
+    void prepare(DynamicsSystem<Real>& system) override;
     void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
 
 private:

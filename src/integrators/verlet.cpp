@@ -8,9 +8,9 @@
 namespace weft {
 
 template <typename Real>
-void PositionVerlet<Real>::prepare(std::size_t slot_count) {
-    x_previous_ = Vec3Array<Real>(slot_count);
-    a_ = Vec3Array<Real>(slot_count);
+void PositionVerlet<Real>::prepare(DynamicsSystem<Real>& system) {
+    x_previous_ = Vec3Array<Real>(system.slot_count());
+    a_ = Vec3Array<Real>(system.slot_count());
     last_step_ = 0.0;
 }
 
@@ -71,9 +71,9 @@ void PositionVerlet<Real>::step(DynamicsSystem<Real>& system, double dt,
 }
 
 template <typename Real>
-void VelocityVerlet<Real>::prepare(std::size_t slot_count) {
-    a_ = Vec3Array<Real>(slot_count);
-    a_next_ = Vec3Array<Real>(slot_count);
+void VelocityVerlet<Real>::prepare(DynamicsSystem<Real>& system) {
+    a_ = Vec3Array<Real>(system.slot_count());
+    a_next_ = Vec3Array<Real>(system.verlet_pass() != nullptr ? 0 : system.slot_count());
     started_ = false;
 }
 
@@ -89,6 +89,11 @@ void VelocityVerlet<Real>::step(DynamicsSystem<Real>& system, double dt,
     if (!started_) {
         system.acceleration(state.time, state.x.view(), state.v.view(), a_.view());
         started_ = true;
+    }
+    if (VerletPass<Real>* const pass = system.verlet_pass()) {
+        pass->verlet(state.time, dt, state.x.view(), state.v.view(), a_.view());
+        state.time += dt;
+        return;
     }
     const Real h = static_cast<Real>(dt), half_h = static_cast<Real>(dt / 2);
     const Real half_h2 = static_cast<Real>(dt * dt / 2);

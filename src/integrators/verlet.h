@@ -22,7 +22,7 @@ public:
 
     /// @param time_corrected false: a change of step starts the method anew from x and v.
     explicit PositionVerlet(bool time_corrected) : time_corrected_(time_corrected) {}
-    void prepare(std::size_t slot_count) override;
+    void prepare(DynamicsSystem<Real>& system) override;
     void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
     void restart() override { last_step_ = 0.0; }
     void save(History& history) const override {
@@ -49,7 +49,7 @@ class VelocityVerlet final : public Integrator<Real> {
 public:
     using History = typename Integrator<Real>::History;
 
-    void prepare(std::size_t slot_count) override;
+    void prepare(DynamicsSystem<Real>& system) override;
     void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
     void restart() override { started_ = false; }
     void save(History& history) const override {
@@ -61,7 +61,7 @@ public:
 
 private:
     bool started_ = false;
-    Vec3Array<Real> a_, a_next_;
+    Vec3Array<Real> a_, a_next_;  // a_next_: where the system has no pass of its own
 };
 
 /// Spectral radii of one step on x'' = -w^2 x - 2 zeta w x', with w = omega * dt.

@@ -18,16 +18,22 @@ constexpr std::size_t triangle_grain = 4096;
 }  // namespace
 
 template <typename Real>
-ClothSystem<Real>::ClothSystem(const ClothModel& cloth, const SceneDescription& scene)
+ClothSystem<Real>::ClothSystem(const ClothModel& cloth, const SceneDescription& scene,
+                               InstructionSet instruction_set, int threads)
     : cloth_(cloth), description_(scene.forces) {
     inverse_masses_.assign(cloth.layout.slot_count(), Real{0});
     cloth.layout.for_each([&](std::size_t p, std::size_t slot) {
         inverse_masses_[slot] = static_cast<Real>(1 / cloth.masses[p]);
     });
     for (const Pin& pin : cloth.pins) inverse_masses_[cloth.slot(pin.particle)] = 0;
+    moving_pins_.reserve(cloth.pins.size());
     if (scene.wind && scene.wind->air_density > 0.0) wind_ = scene.wind;
     if (cloth.is_grid()) {
         grid_springs_.emplace(cloth);
+        if (instruction_set != InstructionSet::scalar) {
+            grid_kernel_.emplace(cloth, scene.forces, wind_, inverse_masses_, instruction_set,
+                                 threads);
+        }
         if (wind_) grid_air_.emplace(*wind_, cloth.shape, cloth.layout.row_stride());
     } else {
         mesh_springs_.emplace(cloth);
@@ -53,7 +59,7 @@ template <typename Real>
 template <typename Finish>
 void ClothSystem<Real>::forces(double t, ConstVec3View<Real> x, ConstVec3View<Real> v,
                                Vec3View<Real> f, const Finish& finish) {
-    const Vec3<Real> wind = wind_ ? vec3_cast<Real>(wind_velocity(*wind_, t)) : Vec3<Real>{};
+    const Vec3<Real> wind = wind_at(t);
     if (mesh_air_) {
         parallel_for(mesh_air_->triangle_count(), triangle_grain,
                      [&](std::size_t begin, std::size_t end) {
@@ -73,6 +79,7 @@ void ClothSystem<Real>::forces(double t, ConstVec3View<Real> x, ConstVec3View<Re
 template <typename Real>
 void ClothSystem<Real>::acceleration(double t, ConstVec3View<Real> x, ConstVec3View<Real> v,
                                      Vec3View<Real> a) {
+    if (grid_kernel_) return grid_kernel_->accelerate(wind_at(t), x, v, a);
     const Vec3<Real> g = vec3_cast<Real>(description_.gravity);
     const Real* w = inverse_masses_.data();
     forces(t, x, v, a, [&](std::size_t begin, std::size_t end) {
@@ -85,6 +92,31 @@ void ClothSystem<Real>::acceleration(double t, ConstVec3View<Real> x, ConstVec3V
         accelerate(a.y, g.y);
         accelerate(a.z, g.z);
     });
+}
+
+template <typename Real>
+Vec3<Real> ClothSystem<Real>::wind_at(double t) const {
+    return wind_ ? vec3_cast<Real>(wind_velocity(*wind_, t)) : Vec3<Real>{};
+}
+
+template <typename Real>
+void ClothSystem<Real>::kick_drift(double t, double kick, double drift, Vec3View<Real> x,
+                                   Vec3View<Real> v) {
+    grid_kernel_->kick_drift(wind_at(t), kick, drift, x, v);
+}
+
+template <typename Real>
+void ClothSystem<Real>::verlet(double t, double h, Vec3View<Real> x, Vec3View<Real> v,
+                               Vec3View<Real> a) {
+    moving_pins_.clear();  // keeps its memory
+    for (const Pin& pin : cloth_.pins) {
+        if (pin.motion == Pin::no_motion) continue;
+        const PinOffset offset = pin_offset(cloth_.motions[pin.motion], t + h);
+        moving_pins_.push_back({cloth_.slot(pin.particle),
+                                vec3_cast<Real>(pin.rest + offset.offset),
+                                vec3_cast<Real>(offset.velocity)});
+    }
+    grid_kernel_->verlet(wind_at(t + h), h, moving_pins_, x, v, a);
 }
 
 template <typename Real>
@@ -130,7 +162,7 @@ Work ClothSystem<Real>::power(double t, ConstVec3View<Real> x, ConstVec3View<Rea
     if (mesh_air_) power.air = mesh_air_->power(v);
     if (grid_air_) {
         forces_.fill_zero();
-        const Vec3<Real> wind = vec3_cast<Real>(wind_velocity(*wind_, t));
+        const Vec3<Real> wind = wind_at(t);
         grid_air_->add_forces(wind, x, v, forces_.view(), 0, cloth_.shape.rows);
         cloth_.layout.for_each([&](std::size_t, std::size_t slot) {
             power.air += dot(vec3_cast<double>(forces_[slot]), vec3_cast<double>(v[slot]));

@@ -6,6 +6,7 @@
 
 #include "cloth/cloth_model.h"
 #include "forces/grid_air.h"
+#include "forces/grid_kernel.h"
 #include "forces/grid_springs.h"
 #include "forces/mesh_air.h"
 #include "forces/mesh_springs.h"
@@ -15,15 +16,23 @@
 namespace weft {
 
 template <typename Real>
-class ClothSystem final : public DynamicsSystem<Real> {
+class ClothSystem final : public DynamicsSystem<Real>,
+                          private KickDriftPass<Real>,
+                          private VerletPass<Real> {
 public:
     /// @param cloth outlives the system.
-    ClothSystem(const ClothModel& cloth, const SceneDescription& scene);
+    /// @param threads that loops may be shared by.
+    ClothSystem(const ClothModel& cloth, const SceneDescription& scene,
+                InstructionSet instruction_set = chosen_instruction_set(), int threads = 1);
 
-    [[nodiscard]] std::size_t particle_count() const override { return cloth_.particle_count; }
+    [[nodiscard]] std::size_t slot_count() const override { return cloth_.layout.slot_count(); }
     void acceleration(double t, ConstVec3View<Real> x, ConstVec3View<Real> v,
                       Vec3View<Real> a) override;
     void constrain(double t, Vec3View<Real> x, Vec3View<Real> v) const override;
+    [[nodiscard]] KickDriftPass<Real>* kick_drift_pass() override {
+        return grid_kernel_ ? this : nullptr;
+    }
+    [[nodiscard]] VerletPass<Real>* verlet_pass() override { return grid_kernel_ ? this : nullptr; }
 
     /// Multiplies every particle's vector by M^-1/2, which is zero for pinned ones and padding.
     void scale_by_root_inverse_mass(Vec3View<Real> u) const;
@@ -32,6 +41,11 @@ public:
     Work power(double t, ConstVec3View<Real> x, ConstVec3View<Real> v);
 
 private:
+    void kick_drift(double t, double kick, double drift, Vec3View<Real> x,
+                    Vec3View<Real> v) override;
+    void verlet(double t, double h, Vec3View<Real> x, Vec3View<Real> v, Vec3View<Real> a) override;
+
+    [[nodiscard]] Vec3<Real> wind_at(double t) const;
     // f = everything but gravity: -c v, springs, air; on rows of a grid or slots of a mesh.
     void add_forces(Vec3<Real> wind, ConstVec3View<Real> x, ConstVec3View<Real> v, Vec3View<Real> f,
                     std::size_t begin, std::size_t end) const;
@@ -43,12 +57,14 @@ private:
     const ClothModel& cloth_;
     ForcesDescription description_;
     std::optional<WindDescription> wind_;
-    std::vector<Real> inverse_masses_;  ///< [slot], 0: pinned or padding [1/kg]
+    std::vector<Real> inverse_masses_;             ///< [slot], 0: pinned or padding [1/kg]
+    std::optional<GridKernel<Real>> grid_kernel_;  ///< or, for scalar and for power(), the twins:
     std::optional<GridSprings<Real>> grid_springs_;
     std::optional<MeshSprings<Real>> mesh_springs_;
     std::optional<GridAir<Real>> grid_air_;
     std::optional<MeshAir<Real>> mesh_air_;
-    Vec3Array<Real> forces_;  ///< for power() with moving pins or air only
+    std::vector<PinTarget<Real>> moving_pins_;  ///< by rising slot, as verlet() last put them
+    Vec3Array<Real> forces_;                    ///< for power() with moving pins or air only
 };
 
 extern template class ClothSystem<float>;

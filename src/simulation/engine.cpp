@@ -41,7 +41,8 @@ Work operator*(double s, const Work& a) {
 template <typename Real>
 class ClothEngine final : public Engine {
 public:
-    ClothEngine(const ClothModel& cloth, const SceneDescription& scene);
+    ClothEngine(const ClothModel& cloth, const SceneDescription& scene,
+                const EngineOptions& options);
 
     FrameReport advance_frame() override;
     void capture(FrameBuffer& buffer) const override;
@@ -98,10 +99,11 @@ private:
 };
 
 template <typename Real>
-ClothEngine<Real>::ClothEngine(const ClothModel& cloth, const SceneDescription& scene)
+ClothEngine<Real>::ClothEngine(const ClothModel& cloth, const SceneDescription& scene,
+                               const EngineOptions& options)
     : cloth_(cloth),
       scene_(scene),
-      system_(cloth, scene),
+      system_(cloth, scene, options.instruction_set, options.threads),
       integrator_(make_integrator<Real>(scene.integrator.method)) {
     state_.x = Vec3Array<Real>(cloth.layout.slot_count());
     state_.v = Vec3Array<Real>(cloth.layout.slot_count());
@@ -114,7 +116,7 @@ ClothEngine<Real>::ClothEngine(const ClothModel& cloth, const SceneDescription& 
     if (!is_auto()) fastest_mode_ = {};
     steps_per_frame_ =
         is_auto() ? auto_steps() : steps_for(frame_length(), *scene.integrator.time_step);
-    integrator_->prepare(cloth.layout.slot_count());
+    integrator_->prepare(system_);
     save();
 }
 
@@ -288,11 +290,14 @@ std::uint64_t ClothEngine<Real>::state_hash() const {
 }  // namespace
 
 template <typename Real>
-std::unique_ptr<Engine> make_engine(const ClothModel& cloth, const SceneDescription& scene) {
-    return std::make_unique<ClothEngine<Real>>(cloth, scene);
+std::unique_ptr<Engine> make_engine(const ClothModel& cloth, const SceneDescription& scene,
+                                    const EngineOptions& options) {
+    return std::make_unique<ClothEngine<Real>>(cloth, scene, options);
 }
 
-template std::unique_ptr<Engine> make_engine<float>(const ClothModel&, const SceneDescription&);
-template std::unique_ptr<Engine> make_engine<double>(const ClothModel&, const SceneDescription&);
+template std::unique_ptr<Engine> make_engine<float>(const ClothModel&, const SceneDescription&,
+                                                    const EngineOptions&);
+template std::unique_ptr<Engine> make_engine<double>(const ClothModel&, const SceneDescription&,
+                                                     const EngineOptions&);
 
 }  // namespace weft

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cloth/cloth_model.h"
+#include "math/instruction_sets.h"
 #include "weft/simulation.h"
 
 namespace weft {
@@ -29,13 +30,22 @@ public:
     [[nodiscard]] virtual std::uint64_t state_hash() const = 0;
 };
 
+/// How an engine computes; without effect on what it computes but for rounding.
+struct EngineOptions {
+    InstructionSet instruction_set = chosen_instruction_set();
+    int threads = 1;  ///< that loops may be shared by
+};
+
 /// @param cloth, scene outlive the engine.
 template <typename Real>
-std::unique_ptr<Engine> make_engine(const ClothModel& cloth, const SceneDescription& scene);
+std::unique_ptr<Engine> make_engine(const ClothModel& cloth, const SceneDescription& scene,
+                                    const EngineOptions& options = {});
 
 extern template std::unique_ptr<Engine> make_engine<float>(const ClothModel&,
-                                                           const SceneDescription&);
+                                                           const SceneDescription&,
+                                                           const EngineOptions&);
 extern template std::unique_ptr<Engine> make_engine<double>(const ClothModel&,
-                                                            const SceneDescription&);
+                                                            const SceneDescription&,
+                                                            const EngineOptions&);
 
 }  // namespace weft

@@ -11,13 +11,16 @@ struct Simulation::Parts {
     SceneDescription scene;
     ThreadTeam team;
     ClothModel cloth;
+    EngineOptions options;
     std::unique_ptr<Engine> engine;
 
     Parts(const SceneDescription& description, int threads) : scene(description), team(threads) {
         check_scene(scene);
         cloth = build_cloth(scene);
-        engine = scene.integrator.precision == Precision::f32 ? make_engine<float>(cloth, scene)
-                                                              : make_engine<double>(cloth, scene);
+        options.threads = team.size();
+        engine = scene.integrator.precision == Precision::f32
+                     ? make_engine<float>(cloth, scene, options)
+                     : make_engine<double>(cloth, scene, options);
     }
 };
 
@@ -50,6 +53,10 @@ const std::vector<std::string>& Simulation::mesh_findings() const {
 }
 int Simulation::threads() const {
     return parts_->team.size();
+}
+
+std::string_view Simulation::instruction_set() const {
+    return name_of(parts_->options.instruction_set);
 }
 
 LinearAnalysis Simulation::linear_analysis() const {

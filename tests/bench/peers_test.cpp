@@ -16,9 +16,10 @@ namespace {
 constexpr double step = 2e-4;  // [s]
 constexpr int steps = 200;
 
-// Gravity off the sheet's plane and axes, so that all components of all springs matter.
+// Gravity strong, and off the plane and axes of the sheet, so that all components of all springs
+// matter.
 PlainSheet slanted_sheet() {
-    return {.columns = 9, .rows = 7, .gravity = {2.0, -9.0, 3.0}, .drag = 2e-4};
+    return {.columns = 9, .rows = 7, .gravity = {20.0, -60.0, 30.0}, .drag = 2e-4};
 }
 
 PlainSheet undamped(PlainSheet sheet) {

@@ -18,7 +18,8 @@ public:
     Measurement measure(double /*least_seconds*/) override {
         turns_ += name_;
         if (seconds_.empty()) throw Error(ErrorKind::diverged, {}, "it blew up");
-        Measurement found{.steps = 1.0};
+        Measurement found;
+        found.steps = 1.0;
         found.seconds = seconds_.front();
         seconds_.erase(seconds_.begin());
         return found;

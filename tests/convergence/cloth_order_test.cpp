@@ -99,7 +99,7 @@ protected:
     [[nodiscard]] double error_after(std::string_view method, int steps) const {
         ClothSystem<double> system(cloth_, scene_);
         const auto integrator = make_integrator<double>(method);
-        integrator->prepare(cloth_.layout.slot_count());
+        integrator->prepare(system);
         ParticleState<double> state = rest_state<double>(cloth_);
         for (int n = 0; n < steps; ++n) integrator->step(system, end_time / steps, state);
         double sum = 0.0;

@@ -12,7 +12,7 @@ namespace {
 double error_after(std::string_view method, Pendulum kind, int steps) {
     SpringPendulum pendulum(kind);
     const auto integrator = make_integrator<double>(method);
-    integrator->prepare(1);
+    integrator->prepare(pendulum);
     ParticleState<double> state = state_of(pendulum_start);
     for (int n = 0; n < steps; ++n) integrator->step(pendulum, pendulum_end_time / steps, state);
     EXPECT_NEAR(state.time, pendulum_end_time, 1e-11);
@@ -83,7 +83,7 @@ TEST(PendulumOrder, OneStepErrsByOneOrderMore) {
         for (double dt = info.order == 4 ? 0.04 : 0.01; errors.size() < 5; dt /= 2) {
             SpringPendulum pendulum(Pendulum::free);
             const auto integrator = make_integrator<double>(info.name);
-            integrator->prepare(1);
+            integrator->prepare(pendulum);
             ParticleState<double> state = state_of(pendulum_start);
             integrator->step(pendulum, dt, state);
             const Values y = extrapolate(slope, 0.0, dt, {x.x, x.y, x.z, v.x, v.y, v.z}, 1);

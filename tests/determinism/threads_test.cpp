@@ -33,7 +33,7 @@ ParticleState<Real> after_steps(const ClothModel& cloth, const SceneDescription&
     ParticleState<Real> state =
         disturbed_state<Real>(cloth, cloth.is_grid() ? cloth.shape.dx : 0.005);
     const auto integrator = make_integrator<Real>(method);
-    integrator->prepare(cloth.layout.slot_count());
+    integrator->prepare(system);
     team.run([&] {
         for (int n = 0; n < 3; ++n) integrator->step(system, 2e-5, state);
     });

@@ -40,7 +40,7 @@ TEST(Evaluations, PerStepAreAsStatedOnceStarted) {
     for (const IntegratorInfo& info : integrator_catalogue()) {
         SpringPendulum pendulum(Pendulum::free);
         const auto integrator = make_integrator<double>(info.name);
-        integrator->prepare(1);
+        integrator->prepare(pendulum);
         ParticleState<double> state = state_of(pendulum_start);
         integrator->step(pendulum, 0.01, state);
         EXPECT_LE(pendulum.evaluations, info.evaluations + 1) << info.name;  // one to start
@@ -56,7 +56,7 @@ TEST(History, RestoredGivesTheSameBits) {
     for (const IntegratorInfo& info : integrator_catalogue()) {
         SpringPendulum pendulum(Pendulum::damped);
         const auto integrator = make_integrator<double>(info.name);
-        integrator->prepare(1);
+        integrator->prepare(pendulum);
         ParticleState<double> state = state_of(pendulum_start);
         for (int n = 0; n < 5; ++n) integrator->step(pendulum, 0.01, state);
         Integrator<double>::History history;
@@ -78,8 +78,8 @@ TEST(History, IsForgottenByARestart) {
         SpringPendulum pendulum(Pendulum::damped);
         const auto used = make_integrator<double>(info.name),
                    fresh = make_integrator<double>(info.name);
-        used->prepare(1);
-        fresh->prepare(1);
+        used->prepare(pendulum);
+        fresh->prepare(pendulum);
         ParticleState<double> a = state_of(pendulum_start), b = a;
         for (int n = 0; n < 5; ++n) used->step(pendulum, 0.01, a);
         a = b;
@@ -96,7 +96,7 @@ TEST(History, IsForgottenByARestart) {
 // float and double are one method: they agree to float's rounding.
 TEST(Precision, FloatAgreesWithDoubleToItsRounding) {
     struct Falling final : DynamicsSystem<float> {
-        [[nodiscard]] std::size_t particle_count() const override { return 1; }
+        [[nodiscard]] std::size_t slot_count() const override { return 1; }
         void acceleration(double t, ConstVec3View<float> x, ConstVec3View<float> v,
                           Vec3View<float> a) override {
             const SpringPendulum pendulum(Pendulum::damped);
@@ -110,8 +110,8 @@ TEST(Precision, FloatAgreesWithDoubleToItsRounding) {
         Falling single;
         const auto a = make_integrator<double>(info.name);
         const auto b = make_integrator<float>(info.name);
-        a->prepare(1);
-        b->prepare(1);
+        a->prepare(pendulum);
+        b->prepare(single);
         ParticleState<double> s = state_of(pendulum_start);
         ParticleState<float> f{Vec3Array<float>(1), Vec3Array<float>(1), 0.0};
         f.x.set(0, vec3_cast<float>(pendulum_start.x));

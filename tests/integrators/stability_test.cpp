@@ -17,7 +17,7 @@ constexpr std::array damping_ratios{0.0, 0.01, 0.1, 0.3, 0.7, 1.0, 3.0};
 class Oscillator final : public DynamicsSystem<double> {
 public:
     Oscillator(double omega, double zeta) : omega_(omega), zeta_(zeta) {}
-    [[nodiscard]] std::size_t particle_count() const override { return 1; }
+    [[nodiscard]] std::size_t slot_count() const override { return 1; }
     void acceleration(double, ConstVec3View<double> x, ConstVec3View<double> v,
                       Vec3View<double> a) override {
         a.set(0, -omega_ * omega_ * x[0] - 2.0 * zeta_ * omega_ * v[0]);
@@ -34,7 +34,7 @@ double logarithm_of_growth(std::string_view method, double omega_dt, double zeta
     constexpr double omega = 7.0;  // [1/s]
     Oscillator oscillator(omega, zeta);
     const auto integrator = make_integrator<double>(method);
-    integrator->prepare(1);
+    integrator->prepare(oscillator);
     ParticleState<double> state{Vec3Array<double>(1), Vec3Array<double>(1), 0.0};
     state.x.set(0, {1.0, 0.0, 0.0});
     state.v.set(0, {0.3 * omega, 0.0, 0.0});

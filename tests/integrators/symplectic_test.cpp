@@ -15,7 +15,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 Vector6 one_step(std::string_view method, double dt, const Vector6& y) {
     SpringPendulum pendulum(Pendulum::free);
     const auto integrator = make_integrator<double>(method);
-    integrator->prepare(1);
+    integrator->prepare(pendulum);
     ParticleState<double> state = state_of({{y(0), y(1), y(2)}, {y(3), y(4), y(5)}});
     integrator->step(pendulum, dt, state);
     const Vec3d x = state.x[0], v = state.v[0];
@@ -63,7 +63,7 @@ struct Drift {
 Drift energy_drift(std::string_view method, double dt, int steps) {
     SpringPendulum pendulum(Pendulum::free);
     const auto integrator = make_integrator<double>(method);
-    integrator->prepare(1);
+    integrator->prepare(pendulum);
     ParticleState<double> state = state_of(pendulum_start);
     const double start = energy_of(state);
     Drift drift;

@@ -160,7 +160,7 @@ TEST(UpdateFormulas, EveryMethodStepsAsItsFormula) {
             const auto path =
                 formulas.at(info.name)(a, {pendulum_start.x, pendulum_start.v, start});
             const auto integrator = make_integrator<double>(info.name);
-            integrator->prepare(1);
+            integrator->prepare(pendulum);
             ParticleState<double> state = state_of(pendulum_start, start);
             for (const Point& point : path) {
                 integrator->step(pendulum, dt, state);
@@ -179,7 +179,7 @@ TEST(UpdateFormulas, TimeCorrectedVerletTakesTheChangeOfStep) {
     SpringPendulum pendulum(Pendulum::free);
     const auto a = [&](Vec3d x) { return pendulum.acceleration(0.0, x, {}); };
     const auto integrator = make_integrator<double>("time-corrected-verlet");
-    integrator->prepare(1);
+    integrator->prepare(pendulum);
     ParticleState<double> state = state_of(pendulum_start);
     const std::vector<double> sizes{0.02, 0.02, 0.01, 0.01, 0.025, 0.02, 0.005};
     Vec3d now = pendulum_start.x;
@@ -202,8 +202,8 @@ TEST(UpdateFormulas, VerletStartsAnewWhenTheStepChanges) {
     SpringPendulum pendulum(Pendulum::free);
     const auto continued = make_integrator<double>("verlet"),
                fresh = make_integrator<double>("verlet");
-    continued->prepare(1);
-    fresh->prepare(1);
+    continued->prepare(pendulum);
+    fresh->prepare(pendulum);
     ParticleState<double> a = state_of(pendulum_start);
     for (int n = 0; n < 3; ++n) continued->step(pendulum, 0.02, a);
     ParticleState<double> b = a;
@@ -219,7 +219,7 @@ TEST(UpdateFormulas, TimeCorrectedVerletStaysAccurateWhenTheStepChanges) {
     const auto error_of = [](double size) {
         SpringPendulum pendulum(Pendulum::free);
         const auto integrator = make_integrator<double>("time-corrected-verlet");
-        integrator->prepare(1);
+        integrator->prepare(pendulum);
         ParticleState<double> state = state_of(pendulum_start);
         const auto half = static_cast<int>(std::lround(pendulum_end_time / 2 / size));
         for (int n = 0; n < half; ++n) integrator->step(pendulum, size, state);

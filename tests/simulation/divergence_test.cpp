@@ -32,7 +32,7 @@ std::size_t first_bad_step(const SceneDescription& scene, double dt) {
     const ClothModel cloth = build_cloth(scene);
     ClothSystem<double> system(cloth, scene);
     const auto integrator = make_integrator<double>(scene.integrator.method);
-    integrator->prepare(cloth.layout.slot_count());
+    integrator->prepare(system);
     ParticleState<double> state = rest_state<double>(cloth);
     for (std::size_t step = 1; step < 1'000'000; ++step) {
         integrator->step(system, dt, state);

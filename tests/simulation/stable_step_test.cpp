@@ -93,7 +93,7 @@ double growth(const Case& sheet, std::string_view method, double dt, int steps) 
     };
     const double start = size();
     const auto integrator = make_integrator<double>(method);
-    integrator->prepare(cloth.layout.slot_count());
+    integrator->prepare(system);
     double ratio = 1.0;
     for (int n = 0; n < steps && ratio < 1e6; ++n) {
         integrator->step(system, dt, state);

@@ -20,7 +20,7 @@ class SpringPendulum final : public DynamicsSystem<double> {
 public:
     explicit SpringPendulum(Pendulum kind) : kind_(kind) {}
 
-    [[nodiscard]] std::size_t particle_count() const override { return 1; }
+    [[nodiscard]] std::size_t slot_count() const override { return 1; }
     void acceleration(double t, ConstVec3View<double> x, ConstVec3View<double> v,
                       Vec3View<double> a) override {
         ++evaluations;

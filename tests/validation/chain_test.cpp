@@ -119,7 +119,7 @@ TEST(Pendulum, SwingsWithThePeriodOfTheEllipticIntegral) {
         const double length = rod + m * g * std::cos(angle) / k;
         state.x.set(1, length * Vec3d{std::sin(angle), -std::cos(angle), 0.0});
         const auto integrator = make_integrator<double>("velocity-verlet");
-        integrator->prepare(2);
+        integrator->prepare(system);
         std::vector<double> crossings;  // of the vertical
         double before = state.x[1].x;
         while (crossings.size() < 5) {

@@ -1,0 +1,121 @@
+// The fast products with the stiffness and damping matrices of forces/linearised.h, symmetric in
+// mass-scaled co-ordinates: out = s M^-1/2 A M^-1/2 u, and what u.out and out.out are on the way.
+// The readable twins are stiffness_product and damping_product.
+//
+// On a grid, one sweep over rows as in forces/grid_pass.h, but out of place. The rows of M^-1/2 u
+// that a row's springs end on wait in a ring of three. On a mesh, every particle sums its own
+// springs: slices of as many slots as a vector has lanes, a spring of each slot a vector.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "cloth/grid_cloth.h"
+#include "math/instruction_sets.h"
+
+namespace weft {
+
+enum class LinearMatrix {
+    stiffness,  ///< K
+    damping,    ///< C
+};
+
+/// Scaled constants of a spring (see root_scale in math/simd_targets.h).
+template <typename Real>
+struct LinearSpring {
+    Real stiffness = 0;         ///< k [N/m]
+    Real scaled_stiffness = 0;  ///< k / root_scale^2 [N/m]
+    Real scaled_tension = 0;    ///< k L / root_scale^3 [N]
+    Real scaled_damping = 0;    ///< c / root_scale^2 [N s/m]
+};
+
+/// The constants of all families along a row.
+template <typename Real>
+struct LinearRow {
+    using Families = std::array<LinearSpring<Real>, grid_family_count>;
+    Families inner;  ///< away from the left and right border
+    Families edge;   ///< near them: to be multiplied by the column's factor
+};
+
+/// The sums over one block of particles, a grid's row or a mesh's slices.
+struct LinearSums {
+    double in_out = 0.0;   ///< s u.out: of what the pass has at hand
+    double out_out = 0.0;  ///< out.out
+};
+
+/// A product on a grid; pointers belong to others.
+template <typename Real>
+struct LinearGridPass {
+    LinearMatrix matrix = LinearMatrix::stiffness;
+    std::size_t columns = 0, rows = 0, stride = 0;
+    std::array<LinearRow<Real>, 6> row_constants;  ///< by row_kind()
+    std::array<const Real*, grid_family_count> column_factors{};  ///< [stride], 0: no spring
+    bool left_edge = false;  ///< column 0 differs from the inner ones
+    const Real* root_inverse_masses = nullptr;  ///< M^-1/2 [slot], 0: pinned, or padding
+    Real drag = 0;                              ///< of C [kg/s]
+    Real scale = 1;                             ///< s
+    std::array<const Real*, 3> x{}, u{};
+    std::array<Real*, 3> out{};
+    LinearSums* sums = nullptr;  ///< [rows]
+
+    /// Border row or not, and whether 0, 1, 2 or more rows lie below.
+    [[nodiscard]] std::size_t row_kind(std::size_t j) const {
+        const std::size_t below = rows - 1 - j;
+        return 2 * (below < 2 ? below : 2) + (j == 0 || below == 0 ? 1 : 0);
+    }
+};
+
+/// A band of rows and its scratch memory: rows of scratch_stride(), all of them zero at first.
+template <typename Real>
+struct LinearBand {
+    static constexpr std::size_t ring_lines = 9;  ///< three rows of three components of M^-1/2 u
+    static constexpr std::size_t sum_lines = 9;   ///< and of what springs add to rows below
+    static constexpr std::size_t line_count = ring_lines + sum_lines;
+
+    std::size_t row_begin = 0, row_end = 0;
+    Real* lines = nullptr;  ///< [line_count][line_stride(stride)]
+
+    /// Room for a vector that begins two columns before the end.
+    static constexpr std::size_t line_stride(std::size_t stride) { return stride + 16; }
+};
+
+template <typename Real>
+using LinearGridFunction = void (*)(const LinearGridPass<Real>&, const LinearBand<Real>&);
+
+LinearGridFunction<float> linear_grid_single(InstructionSet set);
+LinearGridFunction<double> linear_grid_double(InstructionSet set);
+
+/// A product on a mesh. Records are the vectors of one slot each, {x, y, z, 0}.
+template <typename Real>
+struct LinearMeshPass {
+    LinearMatrix matrix = LinearMatrix::stiffness;
+    std::size_t lanes = 0;  ///< slots in a slice
+    const std::uint32_t* slice_starts = nullptr;  ///< [slice + 1], in entries over lanes
+    /// [entry][lane]: four times the neighbour's slot, and the spring; no spring: its own slot.
+    const std::uint32_t* neighbours = nullptr;
+    const Real *stiffness = nullptr, *tension = nullptr, *damping = nullptr;  ///< as LinearSpring
+    const Real* root_inverse_masses = nullptr;  ///< M^-1/2 [slot], 0: pinned; whole slices
+    Real drag = 0;                              ///< of C [kg/s]
+    const Real *x = nullptr, *u = nullptr;      ///< records of x and of s M^-1/2 u; whole slices
+    std::array<Real*, 3> out{};                 ///< [slot], with room for whole slices
+};
+
+/// The product on slices [begin, end), and its sums.
+template <typename Real>
+using LinearMeshFunction = LinearSums (*)(const LinearMeshPass<Real>&, std::size_t begin,
+                                          std::size_t end);
+
+LinearMeshFunction<float> linear_mesh_single(InstructionSet set);
+LinearMeshFunction<double> linear_mesh_double(InstructionSet set);
+
+/// records[4 s + c] = scales[s] factor u_c[s] for slots [begin, end); no scales: factor alone.
+template <typename Real>
+struct LinearRecords {
+    std::array<const Real*, 3> vectors{};
+    const Real* scales = nullptr;
+    Real factor = 1;
+    Real* records = nullptr;
+};
+
+}  // namespace weft
