@@ -37,9 +37,19 @@ struct RenderOptions : SceneOptions {
     std::optional<std::size_t> frame;  ///< for a single picture
 };
 
+struct BenchOptions {
+    bool json = false;
+    bool quick = false;          ///< one repeat, up to 256 x 256
+    bool large = false;          ///< up to 4096 x 4096
+    std::string filter;          ///< words that a case's name must all have
+    std::optional<int> repeats;  ///< of every timing
+    std::string plot;            ///< file to draw; empty: none
+};
+
 int run_command(const RunOptions& options);
 int render_command(const RenderOptions& options);
 int check_command(const SceneOptions& options);
+int bench_command(const BenchOptions& options);
 /// @param what "integrators", "fabrics", "scenes", "formats" or "keys"
 int list_command(const std::string& what, bool json);
 

@@ -12,6 +12,7 @@
 
 #include "cli/commands.h"
 #include "weft/error.h"
+#include "weft/instruction_set.h"
 #include "weft/simulation.h"
 
 namespace weft {
@@ -64,6 +65,12 @@ public:
     CommandLine() {
         app_.set_version_flag("--version", "weft " + std::string(version()));
         app_.require_subcommand(1);
+        app_.add_option_function<std::string>(
+                "--simd", [](const std::string& name) { use_instruction_set(name); },
+                "Vector instructions to use: scalar, sse4, avx2, avx512 (default: the best that "
+                "the machine has, or WEFT_SIMD)")
+            ->type_name("NAME");
+        app_.fallthrough();
         app_.footer(
             "Examples:\n"
             "  weft run flag                          simulate the shipped flag into "
@@ -76,6 +83,7 @@ public:
         add_run();
         add_render();
         add_check();
+        add_bench();
         add_list();
     }
 
@@ -130,6 +138,25 @@ private:
         command->add_flag("--json", check_.json, "Print a JSON object");
         command->callback([this] { action_ = [this] { return check_command(check_); }; });
     }
+    void add_bench() {
+        CLI::App* command =
+            app_.add_subcommand("bench", "Speed on this machine, beside the peers built in");
+        command->add_flag("--json", bench_.json, "Print a JSON object");
+        CLI::Option* quick =
+            command->add_flag("--quick", bench_.quick, "One repeat, and sizes up to 256x256");
+        command->add_flag("--large", bench_.large, "64x64 to 4096x4096 besides: needs 8 GiB")
+            ->excludes(quick);
+        command
+            ->add_option("--filter", bench_.filter,
+                         "Only cases with all these words: --filter \"rk4 256x256 single\"")
+            ->type_name("TEXT");
+        command->add_option("--repeats", bench_.repeats, "Repeats of every timing (default 3 or 5)")
+            ->type_name("N")
+            ->check(CLI::Range(1, 1000));
+        command->add_option("-o,--output", bench_.plot, "Plot of cost against size: .svg or .png")
+            ->type_name("FILE");
+        command->callback([this] { action_ = [this] { return bench_command(bench_); }; });
+    }
     void add_list() {
         CLI::App* command = app_.add_subcommand("list", "List what weft knows");
         command->add_option("WHAT", what_, "integrators, fabrics, scenes, formats, or keys")
@@ -142,6 +169,7 @@ private:
     RunOptions run_;
     RenderOptions render_;
     SceneOptions check_;
+    BenchOptions bench_;
     std::string what_;
     bool list_json_ = false;
     std::function<int()> action_;

@@ -36,7 +36,7 @@ bool record_frame(const Simulation& simulation, RecordingQueue* queue, RunRecord
         record.largest_strain_frame = simulation.frame();
     }
     if (queue == nullptr) return true;
-    simulation.capture(queue->next());
+    simulation.capture(queue->next(), queue->needs());
     return queue->push();
 }
 

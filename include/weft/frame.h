@@ -33,8 +33,18 @@ struct Frame {
     std::size_t index = 0;
     double time = 0.0;                  ///< [s]
     std::span<const Vec3d> positions;   ///< [particle], [m]
-    std::span<const Vec3d> velocities;  ///< [particle], [m/s]
-    std::span<const Vec3f> normals;     ///< [particle], unit or zero
+    std::span<const Vec3d> velocities;  ///< [particle], [m/s]; empty where not asked for
+    std::span<const Vec3f> normals;     ///< [particle], unit or zero; empty where not asked for
+};
+
+/// What a frame holds besides index, time and positions, which are always there.
+struct FrameNeeds {
+    bool velocities = true;
+    bool normals = true;
+
+    friend constexpr FrameNeeds operator|(FrameNeeds a, FrameNeeds b) {
+        return {a.velocities || b.velocities, a.normals || b.normals};
+    }
 };
 
 /// Vertex normals: the sum of the cross products of the triangles around each particle (so weighted
@@ -47,8 +57,8 @@ void compute_normals(const Surface& surface, std::span<const Vec3d> positions,
 struct FrameBuffer {
     std::size_t index = 0;
     double time = 0.0;                         ///< [s]
-    std::vector<Vec3d> positions, velocities;  ///< [particle], [m], [m/s]
-    std::vector<Vec3f> normals;                ///< [particle]
+    std::vector<Vec3d> positions, velocities;  ///< [particle], [m], [m/s]; see FrameNeeds
+    std::vector<Vec3f> normals;                ///< [particle]; see FrameNeeds
 
     [[nodiscard]] Frame view() const { return {index, time, positions, velocities, normals}; }
 };

@@ -31,6 +31,8 @@ class Recorder {
 public:
     virtual ~Recorder() = default;
 
+    /// What frame() looks at; frames may come without the rest.
+    [[nodiscard]] virtual FrameNeeds needs() const { return {}; }
     /// @throws Error (file).
     virtual void begin(const RecordingPlan& plan) = 0;
     /// @throws Error (file).

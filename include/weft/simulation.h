@@ -87,8 +87,9 @@ public:
     /// Advances to the next frame.
     FrameReport advance_frame();
 
-    /// Copies the present state and its normals.
-    void capture(FrameBuffer& buffer) const;
+    /// Copies the present state, and its normals.
+    /// @param needs what to fill; the rest of the buffer is emptied.
+    void capture(FrameBuffer& buffer, FrameNeeds needs = {}) const;
 
     /// Replaces positions [m] and velocities [m/s] of all particles; pinned ones stay.
     /// @pre both have particle_count() elements.

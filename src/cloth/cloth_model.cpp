@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "cloth/mesh_order.h"
 #include "cloth/pins.h"
 #include "weft/error.h"
 
@@ -53,9 +54,9 @@ void build_grid(const SceneDescription& scene, ClothModel& cloth) {
 void build_mesh(const SceneDescription& scene, ClothModel& cloth) {
     MeshCloth mesh = build_mesh_cloth(*scene.cloth.mesh, scene.cloth.mesh_path);
     cloth.particle_count = mesh.rest_positions.size();
-    cloth.layout = ParticleLayout::in_order(cloth.particle_count);
     cloth.mesh_positions = std::move(mesh.rest_positions);
     cloth.springs = std::move(mesh.springs);
+    cloth.layout = ParticleLayout::of_slots(mesh_order(cloth.particle_count, cloth.springs));
     cloth.surface = std::move(mesh.surface);
     cloth.report = std::move(mesh.report);
     cloth.masses = std::move(mesh.areas);

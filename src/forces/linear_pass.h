@@ -76,8 +76,11 @@ struct LinearBand {
     std::size_t row_begin = 0, row_end = 0;
     Real* lines = nullptr;  ///< [line_count][line_stride(stride)]
 
-    /// Room for a vector that begins two columns before the end.
-    static constexpr std::size_t line_stride(std::size_t stride) { return stride + 16; }
+    /// Room for a vector that begins two columns before the end; never whole pages of 4 KiB, or
+    /// the lines would share one set of the first-level cache.
+    static constexpr std::size_t line_stride(std::size_t stride) {
+        return (stride + 16) % 512 == 0 ? stride + 32 : stride + 16;
+    }
 };
 
 template <typename Real>
@@ -86,19 +89,30 @@ using LinearGridFunction = void (*)(const LinearGridPass<Real>&, const LinearBan
 LinearGridFunction<float> linear_grid_single(InstructionSet set);
 LinearGridFunction<double> linear_grid_double(InstructionSet set);
 
-/// A product on a mesh. Records are the vectors of one slot each, {x, y, z, 0}.
+/// Constants of the springs of one kind, scaled as in LinearSpring and for a width factor of 1.
+template <typename Real>
+struct LinearKind {
+    Real stiffness = 0;       ///< k [N/m]
+    Real scaled_damping = 0;  ///< c / root_scale^2 [N s/m]
+};
+
+/// A product on a mesh; pointers belong to others and are aligned to cache lines, save out. The
+/// tables are those of forces/mesh_pass.h.
 template <typename Real>
 struct LinearMeshPass {
+    static constexpr std::size_t row_size = 8;  ///< {x, y, z, 0, ux, uy, uz, 0}
+
     LinearMatrix matrix = LinearMatrix::stiffness;
-    std::size_t lanes = 0;  ///< slots in a slice
-    const std::uint32_t* slice_starts = nullptr;  ///< [slice + 1], in entries over lanes
-    /// [entry][lane]: four times the neighbour's slot, and the spring; no spring: its own slot.
-    const std::uint32_t* neighbours = nullptr;
-    const Real *stiffness = nullptr, *tension = nullptr, *damping = nullptr;  ///< as LinearSpring
+    std::array<LinearKind<Real>, 3> kinds{};  ///< by SpringKind
+    /// [3 slices + 1], where a slice's springs of a kind begin [vector].
+    const std::uint32_t* spring_starts = nullptr;
+    const std::uint32_t* neighbours = nullptr;  ///< [vector][lane], slots; padding: the lane's own
+    const Real* tensions = nullptr;             ///< [vector][lane], k L / root_scale [N]
+    const Real* widths = nullptr;  ///< [vector][lane], factor of k and c; nullptr: all are 1
     const Real* root_inverse_masses = nullptr;  ///< M^-1/2 [slot], 0: pinned; whole slices
     Real drag = 0;                              ///< of C [kg/s]
-    const Real *x = nullptr, *u = nullptr;      ///< records of x and of s M^-1/2 u; whole slices
-    std::array<Real*, 3> out{};                 ///< [slot], with room for whole slices
+    const Real* rows = nullptr;      ///< [slot][row_size] of x and s M^-1/2 u, whole slices
+    std::array<Real*, 3> out{};      ///< [slot], with room for whole slices
 };
 
 /// The product on slices [begin, end), and its sums.
@@ -109,13 +123,20 @@ using LinearMeshFunction = LinearSums (*)(const LinearMeshPass<Real>&, std::size
 LinearMeshFunction<float> linear_mesh_single(InstructionSet set);
 LinearMeshFunction<double> linear_mesh_double(InstructionSet set);
 
-/// records[4 s + c] = scales[s] factor u_c[s] for slots [begin, end); no scales: factor alone.
+/// Vectors to be written into rows of LinearMeshPass: factor scales[s] u[s].
 template <typename Real>
-struct LinearRecords {
-    std::array<const Real*, 3> vectors{};
-    const Real* scales = nullptr;
+struct LinearRows {
+    std::array<const Real*, 3> u{};  ///< [slot], readable in whole slices
+    const Real* scales = nullptr;    ///< [slot], whole slices; nullptr: all are 1
     Real factor = 1;
-    Real* records = nullptr;
+    Real* rows = nullptr;  ///< the first slot's first place
 };
+
+/// Writes those of slices [begin, end).
+template <typename Real>
+using LinearRowsFunction = void (*)(const LinearRows<Real>&, std::size_t begin, std::size_t end);
+
+LinearRowsFunction<float> linear_rows_single(InstructionSet set);
+LinearRowsFunction<double> linear_rows_double(InstructionSet set);
 
 }  // namespace weft

@@ -71,6 +71,15 @@ struct MeshPass {
     std::array<Real*, 3> x{}, v{}, a{};
 };
 
+/// How many slots stand in a slice, for any set but scalar.
+template <typename Real>
+constexpr std::size_t mesh_lanes(InstructionSet set) {
+    const std::size_t bytes = set == InstructionSet::avx512 ? 64
+                              : set == InstructionSet::avx2 ? 32
+                                                            : 16;
+    return bytes / sizeof(Real);
+}
+
 /// Does a part of a pass for vectors [begin, end): slices, or vectors of triangles.
 template <typename Real>
 using MeshPassFunction = void (*)(const MeshPass<Real>&, std::size_t begin, std::size_t end);
@@ -78,7 +87,6 @@ using MeshPassFunction = void (*)(const MeshPass<Real>&, std::size_t begin, std:
 /// The parts of a pass, in order; each ends everywhere before the next begins.
 template <typename Real>
 struct MeshPassFunctions {
-    std::size_t lanes = 0;
     MeshPassFunction<Real> copy_rows = nullptr;   ///< of slices
     MeshPassFunction<Real> find_thirds = nullptr;  ///< of vectors of triangles; only with air
     MeshPassFunction<Real> sum_and_move = nullptr;  ///< of slices

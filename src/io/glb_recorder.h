@@ -19,6 +19,8 @@ class GlbRecorder final : public Recorder {
 public:
     static constexpr std::size_t most_targets = 250;
 
+    [[nodiscard]] FrameNeeds needs() const override { return {.velocities = false}; }
+
     /// @throws Error (file) also where the texture cannot be read, or one frame is beyond 4 GiB.
     void begin(const RecordingPlan& plan) override;
     void frame(const Frame& frame) override;

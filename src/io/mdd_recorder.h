@@ -13,6 +13,9 @@ namespace weft {
 /// a float time [s] for each frame, then for each frame every particle's x, y, z as floats [m].
 class MddRecorder final : public Recorder {
 public:
+    [[nodiscard]] FrameNeeds needs() const override {
+        return {.velocities = false, .normals = false};
+    }
     void begin(const RecordingPlan& plan) override;
     void frame(const Frame& frame) override;
     std::vector<std::filesystem::path> finish() override;

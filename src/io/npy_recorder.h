@@ -12,6 +12,7 @@ namespace weft {
 /// [m/s]; NAME.times.npy, [frame] in double [s]. Little-endian, NumPy format 1.0.
 class NpyRecorder final : public Recorder {
 public:
+    [[nodiscard]] FrameNeeds needs() const override { return {.normals = false}; }
     void begin(const RecordingPlan& plan) override;
     void frame(const Frame& frame) override;
     std::vector<std::filesystem::path> finish() override;

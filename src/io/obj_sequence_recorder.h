@@ -12,6 +12,7 @@ namespace weft {
 /// every surface vertex, quads and triangles.
 class ObjSequenceRecorder final : public Recorder {
 public:
+    [[nodiscard]] FrameNeeds needs() const override { return {.velocities = false}; }
     void begin(const RecordingPlan& plan) override;
     void frame(const Frame& frame) override;
     std::vector<std::filesystem::path> finish() override;

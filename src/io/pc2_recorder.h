@@ -13,6 +13,9 @@ namespace weft {
 /// each frame every particle's x, y, z as floats [m]; 32 + 12 * particles * frames bytes in all.
 class Pc2Recorder final : public Recorder {
 public:
+    [[nodiscard]] FrameNeeds needs() const override {
+        return {.velocities = false, .normals = false};
+    }
     void begin(const RecordingPlan& plan) override;
     void frame(const Frame& frame) override;
     std::vector<std::filesystem::path> finish() override;

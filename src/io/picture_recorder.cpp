@@ -24,6 +24,8 @@ void write_png(OutputFile& file, const Image& image) {
 
 class PngRecorder final : public Recorder {
 public:
+    [[nodiscard]] FrameNeeds needs() const override { return {.velocities = false}; }
+
     void begin(const RecordingPlan& plan) override {
         stem_ = plan.stem;
         renderer_.emplace(*plan.surface, plan.render);
@@ -53,6 +55,8 @@ private:
 class VideoRecorder final : public Recorder {
 public:
     explicit VideoRecorder(std::string_view format) : format_(format) {}
+
+    [[nodiscard]] FrameNeeds needs() const override { return {.velocities = false}; }
 
     void begin(const RecordingPlan& plan) override {
         path_ = plan.directory / fmt::format("{}.{}", plan.stem, format_);

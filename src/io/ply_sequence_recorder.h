@@ -12,6 +12,7 @@ namespace weft {
 /// [m], the normal nx, ny, nz and the texture co-ordinates s, t (t upward); quads and triangles.
 class PlySequenceRecorder final : public Recorder {
 public:
+    [[nodiscard]] FrameNeeds needs() const override { return {.velocities = false}; }
     void begin(const RecordingPlan& plan) override;
     void frame(const Frame& frame) override;
     std::vector<std::filesystem::path> finish() override;

@@ -9,6 +9,7 @@ namespace weft {
 RecordingQueue::RecordingQueue(std::vector<std::unique_ptr<Recorder>> recorders,
                                const RecordingPlan& plan)
     : recorders_(std::move(recorders)) {
+    for (const auto& recorder : recorders_) needs_ = needs_ | recorder->needs();
     for (std::size_t n = 0; n < capacity; ++n) free_.push_back(n);
     thread_ = std::thread([this, plan] { work(plan); });
     std::unique_lock lock(mutex_);

@@ -29,6 +29,8 @@ public:
     RecordingQueue(const RecordingQueue&) = delete;
     RecordingQueue& operator=(const RecordingQueue&) = delete;
 
+    /// What the recorders need of every frame, together.
+    [[nodiscard]] FrameNeeds needs() const { return needs_; }
     /// A buffer to fill, when one is free.
     FrameBuffer& next();
     /// Hands the buffer last got from next() to the recorders.
@@ -56,6 +58,7 @@ private:
     void for_each_recorder(const Action& action);
 
     std::vector<std::unique_ptr<Recorder>> recorders_;
+    FrameNeeds needs_{.velocities = false, .normals = false};
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<std::size_t> free_, filled_;  // indices into buffers_

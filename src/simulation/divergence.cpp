@@ -8,9 +8,17 @@
 
 namespace weft {
 
+namespace {
+
+// The check's strain is as exact as the state: nearer to the limit, the exact one decides.
+constexpr double surely_sound = 0.999 * Divergence::max_strain;
+
+}  // namespace
+
 template <typename Real>
-std::optional<Divergence> find_divergence(const ClothModel& cloth,
-                                          const ParticleState<Real>& state) {
+std::optional<Divergence> find_divergence(const ClothModel& cloth, const ParticleState<Real>& state,
+                                          const StrainCheck& check) {
+    if (check.finite && check.strain <= surely_sound) return std::nullopt;
     Divergence found;
     cloth.layout.for_each([&](std::size_t p, std::size_t slot) {
         if (found.particle) return;
@@ -23,8 +31,10 @@ std::optional<Divergence> find_divergence(const ClothModel& cloth,
     return found;
 }
 
-template std::optional<Divergence> find_divergence(const ClothModel&, const ParticleState<float>&);
-template std::optional<Divergence> find_divergence(const ClothModel&, const ParticleState<double>&);
+template std::optional<Divergence> find_divergence(const ClothModel&, const ParticleState<float>&,
+                                                   const StrainCheck&);
+template std::optional<Divergence> find_divergence(const ClothModel&, const ParticleState<double>&,
+                                                   const StrainCheck&);
 
 void describe_divergence(Divergence& divergence, const ClothModel& cloth,
                          const SceneDescription& scene) {

@@ -5,15 +5,17 @@
 
 #include "cloth/cloth_model.h"
 #include "cloth/particle_state.h"
+#include "forces/measure_cloth.h"
 #include "weft/simulation.h"
 
 namespace weft {
 
 /// @return what is wrong with the state (spring or particle filled in, message not yet), if
 /// anything.
+/// @param check that of the state: most states are seen to be sound from it alone.
 template <typename Real>
-std::optional<Divergence> find_divergence(const ClothModel& cloth,
-                                          const ParticleState<Real>& state);
+std::optional<Divergence> find_divergence(const ClothModel& cloth, const ParticleState<Real>& state,
+                                          const StrainCheck& check);
 
 /// Fills in message and advice.
 void describe_divergence(Divergence& divergence, const ClothModel& cloth,

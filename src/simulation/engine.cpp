@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
-#include "forces/energy.h"
+#include "forces/measure_cloth.h"
 #include "integrators/integrator.h"
-#include "math/random.h"
 #include "simulation/divergence.h"
 #include "simulation/stability.h"
 #include "weft/error.h"
@@ -45,7 +43,7 @@ public:
                 const EngineOptions& options);
 
     FrameReport advance_frame() override;
-    void capture(FrameBuffer& buffer) const override;
+    void capture(FrameBuffer& buffer, FrameNeeds needs) const override;
     void set_state(std::span<const Vec3d> x, std::span<const Vec3d> v) override;
 
     [[nodiscard]] LinearAnalysis linear_analysis() const override;
@@ -57,13 +55,16 @@ public:
     [[nodiscard]] std::size_t step_count() const override { return step_count_; }
     [[nodiscard]] std::size_t steps_per_frame() const override { return steps_per_frame_; }
     [[nodiscard]] Energy energy() const override {
-        return weft::energy(cloth_, scene_.forces, state_.x.view(), state_.v.view());
+        return measures_.energy(state_.x.view(), state_.v.view());
     }
     [[nodiscard]] Work work() const override { return work_; }
     [[nodiscard]] SpringStrain largest_strain() const override {
-        return weft::largest_strain(cloth_, state_.x.view());
+        if (!strain_check_) strain_check_ = measures_.check(state_.x.view(), state_.v.view());
+        return measures_.largest_strain(state_.x.view(), *strain_check_);
     }
-    [[nodiscard]] std::uint64_t state_hash() const override;
+    [[nodiscard]] std::uint64_t state_hash() const override {
+        return measures_.state_hash(state_.x.view(), state_.v.view());
+    }
 
 private:
     using History = typename Integrator<Real>::History;
@@ -78,6 +79,7 @@ private:
     void run_steps(std::size_t count, std::size_t steps_per_frame);
     void save();
     void go_back();
+    std::optional<Divergence> find_divergence();
     Divergence trace_divergence(std::size_t steps_per_frame, bool restarted);
 
     const ClothModel& cloth_;
@@ -85,6 +87,8 @@ private:
     ClothSystem<Real> system_;
     std::unique_ptr<Integrator<Real>> integrator_;
     ParticleState<Real> state_;
+    mutable ClothMeasures<Real> measures_;              // its scratch memory changes
+    mutable std::optional<StrainCheck> strain_check_;  // of the present state, where known
     StabilityModes modes_;
     Vec3Array<Real> fastest_mode_;
     std::size_t frame_ = 0, step_count_ = 0, steps_per_frame_ = 1;
@@ -104,7 +108,8 @@ ClothEngine<Real>::ClothEngine(const ClothModel& cloth, const SceneDescription& 
     : cloth_(cloth),
       scene_(scene),
       system_(cloth, scene, options.instruction_set, options.threads),
-      integrator_(make_integrator<Real>(scene.integrator.method)) {
+      integrator_(make_integrator<Real>(scene.integrator.method)),
+      measures_(cloth, scene.forces, options.instruction_set) {
     state_.x = Vec3Array<Real>(cloth.layout.slot_count());
     state_.v = Vec3Array<Real>(cloth.layout.slot_count());
     cloth.layout.for_each([&](std::size_t p, std::size_t slot) {
@@ -189,8 +194,15 @@ void ClothEngine<Real>::go_back() {
     state_.v = good_.state.v;
     state_.time = good_.state.time;
     integrator_->restore(good_.history);
+    strain_check_.reset();
     work_ = good_.work;
     power_known_ = false;
+}
+
+template <typename Real>
+std::optional<Divergence> ClothEngine<Real>::find_divergence() {
+    strain_check_ = measures_.check(state_.x.view(), state_.v.view());
+    return weft::find_divergence(cloth_, state_, *strain_check_);
 }
 
 // Runs the failed frame once more, as it was run, looking after every step.
@@ -206,7 +218,7 @@ Divergence ClothEngine<Real>::trace_divergence(std::size_t steps_per_frame, bool
         integrator_->step(system_, dt, state_);
         ++step;
         state_.time = frame_time(frame_) + static_cast<double>(step) * dt;
-        found = find_divergence(cloth_, state_);
+        found = find_divergence();
     }
     found->step = step_count_ + step;
     found->time = state_.time;
@@ -225,7 +237,7 @@ FrameReport ClothEngine<Real>::advance_frame() {
         run_steps(steps_per_frame_, steps_per_frame_);
         report.steps = steps_per_frame_;
         report.time_step = frame_length() / static_cast<double>(steps_per_frame_);
-        if (!find_divergence(cloth_, state_)) break;
+        if (!find_divergence()) break;
         const bool may_halve =
             is_auto() || scene_.integrator.on_divergence == OnDivergence::halve_step;
         if (!may_halve || halvings_ == max_halvings) {
@@ -245,17 +257,15 @@ FrameReport ClothEngine<Real>::advance_frame() {
 }
 
 template <typename Real>
-void ClothEngine<Real>::capture(FrameBuffer& buffer) const {
+void ClothEngine<Real>::capture(FrameBuffer& buffer, FrameNeeds needs) const {
     buffer.index = frame_;
     buffer.time = state_.time;
     buffer.positions.resize(cloth_.particle_count);
-    buffer.velocities.resize(cloth_.particle_count);
-    buffer.normals.resize(cloth_.particle_count);
-    cloth_.layout.for_each([&](std::size_t p, std::size_t slot) {
-        buffer.positions[p] = vec3_cast<double>(state_.x[slot]);
-        buffer.velocities[p] = vec3_cast<double>(state_.v[slot]);
-    });
-    compute_normals(cloth_.surface, buffer.positions, buffer.normals);
+    buffer.velocities.resize(needs.velocities ? cloth_.particle_count : 0);
+    buffer.normals.resize(needs.normals ? cloth_.particle_count : 0);
+    measures_.copy(state_.x.view(), buffer.positions);
+    if (needs.velocities) measures_.copy(state_.v.view(), buffer.velocities);
+    if (needs.normals) measures_.normals(state_.x.view(), buffer.normals);
 }
 
 template <typename Real>
@@ -265,26 +275,10 @@ void ClothEngine<Real>::set_state(std::span<const Vec3d> x, std::span<const Vec3
         state_.v.set(slot, vec3_cast<Real>(v[p]));
     });
     system_.constrain(state_.time, state_.x.view(), state_.v.view());
+    strain_check_.reset();
     integrator_->restart();
     power_known_ = false;
     save();
-}
-
-// A wrapping sum over (particle, x or v, component): no term waits for another, and the layout does
-// not matter.
-template <typename Real>
-std::uint64_t ClothEngine<Real>::state_hash() const {
-    using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-    constexpr std::uint64_t apart = 0xd6e8feb86659fd93u;  // odd: tells all indices apart
-    std::uint64_t sum = cloth_.particle_count;
-    cloth_.layout.for_each([&](std::size_t p, std::size_t slot) {
-        const Vec3<Real> x = state_.x[slot], v = state_.v[slot];
-        std::uint64_t index = 6 * p;
-        for (const Real component : {x.x, x.y, x.z, v.x, v.y, v.z}) {
-            sum += mix_bits(std::bit_cast<Bits>(component) + index++ * apart);
-        }
-    });
-    return mix_bits(sum);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ public:
     virtual ~Engine() = default;
 
     virtual FrameReport advance_frame() = 0;
-    virtual void capture(FrameBuffer& buffer) const = 0;
+    virtual void capture(FrameBuffer& buffer, FrameNeeds needs) const = 0;
     virtual void set_state(std::span<const Vec3d> x, std::span<const Vec3d> v) = 0;
 
     [[nodiscard]] virtual LinearAnalysis linear_analysis() const = 0;

@@ -88,21 +88,25 @@ FrameReport Simulation::advance_frame() {
     return report;
 }
 
-void Simulation::capture(FrameBuffer& buffer) const {
-    parts_->engine->capture(buffer);
+void Simulation::capture(FrameBuffer& buffer, FrameNeeds needs) const {
+    parts_->team.run([&] { parts_->engine->capture(buffer, needs); });
 }
 void Simulation::set_state(std::span<const Vec3d> positions, std::span<const Vec3d> velocities) {
     parts_->engine->set_state(positions, velocities);
 }
 
 Energy Simulation::energy() const {
-    return parts_->engine->energy();
+    Energy energy;
+    parts_->team.run([&] { energy = parts_->engine->energy(); });
+    return energy;
 }
 Work Simulation::work() const {
     return parts_->engine->work();
 }
 SpringStrain Simulation::largest_strain() const {
-    return parts_->engine->largest_strain();
+    SpringStrain strain;
+    parts_->team.run([&] { strain = parts_->engine->largest_strain(); });
+    return strain;
 }
 std::uint64_t Simulation::state_hash() const {
     return parts_->engine->state_hash();

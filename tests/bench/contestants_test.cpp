@@ -18,6 +18,18 @@ namespace {
 
 const PlainSheet small_sheet{.columns = 12, .rows = 10};
 
+TEST(Contestants, TimingsAreMadeLongEnough) {
+    std::vector<int> tried;
+    const auto cold_at_first = [&](int pieces) {
+        tried.push_back(pieces);
+        return tried.size() == 1 ? 0.010 : 0.001 * pieces;
+    };
+    EXPECT_EQ(pieces_lasting(0.030, cold_at_first), 30);
+    EXPECT_EQ(tried, (std::vector{1, 3, 30}));
+    EXPECT_EQ(pieces_lasting(0.030, [](int) { return 0.5; }), 1);
+    EXPECT_EQ(pieces_lasting(0.030, [](int n) { return n < 1000 ? 0.0 : 1e-5 * n; }), 10000);
+}
+
 TEST(Contestants, WeftIsTimedByWholeFramesForLongEnough) {
     const auto weft = make_stepping(sheet_scene(small_sheet, {.steps_per_frame = 50}), 1);
     const Measurement first = weft->measure(0.005), second = weft->measure(0.005);

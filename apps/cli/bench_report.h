@@ -1,0 +1,21 @@
+// How what `weft bench` found is shown: a line of the table a row, or one JSON object.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "bench/suite/suite.h"
+
+namespace weft {
+
+/// What the machine can do, a few lines.
+std::string machine_text(const bench::Machine& machine);
+/// The table's head, and a line of it, both ending in a newline.
+std::string bench_table_head();
+std::string bench_table_line(const bench::Row& row);
+
+/// { "machine": {...}, "rows": [...] }, docs/cli.md. A row has null where a column does not apply.
+nlohmann::ordered_json bench_json(const bench::Machine& machine, std::span<const bench::Row> rows);
+
+}  // namespace weft

@@ -1,0 +1,259 @@
+#include "bench/suite/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "bench/peers/built_in.h"
+#include "bench/peers/textbook.h"
+#include "bench/suite/flops.h"
+#include "bench/suite/scenes.h"
+#include "weft/error.h"
+#include "weft/integrators.h"
+
+namespace weft::bench {
+
+namespace {
+
+constexpr std::array precisions{Precision::f32, Precision::f64};
+constexpr int target_repeats = 5;  // the others have three
+// weft's own work at the end of a frame is that of some steps: a frame must have many more.
+constexpr int fewest_evaluations_in_frame = 32, fewest_in_target = 96;
+
+// Methods timed on all threads at every size; the others up to 256 x 256.
+bool is_principal(std::string_view method) {
+    return method == "symplectic-euler" || method == "velocity-verlet" || method == "rk4";
+}
+
+class Planner {
+public:
+    Planner(const PlanOptions& options, int threads) : options_(options), threads_(threads) {}
+
+    Plan plan() {
+        for (const int size : {40, 100, 256, 512, 1024}) {
+            if (options_.quick && size > 256) continue;
+            for (const IntegratorInfo& info : integrator_catalogue()) {
+                add_one_thread(size, info);
+                if (size <= 256 || is_principal(info.name)) add_all_threads(size, info);
+            }
+        }
+        const IntegratorInfo& symplectic = *find_integrator("symplectic-euler");
+        if (!options_.quick) add_one_thread(1000, symplectic);
+        add_mesh(256, symplectic);
+        add_flag(256);
+        add_frames(40);
+        if (!options_.quick) add_frames(100);
+        if (options_.large) {
+            for (const int size : {64, 512, 2048, 4096}) add_large(size, symplectic);
+        }
+        return std::move(plan_);
+    }
+
+private:
+    [[nodiscard]] Stepping stepping(const IntegratorInfo& info, int size, Precision precision,
+                                    int threads, int fewest) const {
+        const double guess = info.evaluations * static_cast<double>(size) * size *
+                             (precision == Precision::f32 ? 3e-9 : 7e-9) / threads;  // [s] a step
+        const double wanted = std::ceil(options_.least_seconds() / guess);
+        const int least = std::max(1, fewest / info.evaluations);
+        return {info.name, precision, static_cast<int>(std::clamp(wanted, double(least), 1e6))};
+    }
+
+    [[nodiscard]] Entry sheet_entry(std::string name, const PlainSheet& sheet,
+                                    const IntegratorInfo& info, Precision precision,
+                                    int threads) const {
+        Entry entry;
+        entry.label = {std::move(name), sheet.columns, sheet.rows, precision, threads};
+        entry.flops_per_step = flops_per_step(sheet, info.evaluations);
+        entry.against_textbook = true;
+        return entry;
+    }
+
+    [[nodiscard]] Entry weft_entry(const PlainSheet& sheet, const IntegratorInfo& info,
+                                   Precision precision, int threads) const {
+        const int fewest =
+            info.name == "symplectic-euler" ? fewest_in_target : fewest_evaluations_in_frame;
+        const Stepping how = stepping(info, sheet.columns, precision, threads, fewest);
+        Entry entry = sheet_entry(std::string(info.name), sheet, info, precision, threads);
+        entry.make = [=] { return make_stepping(sheet_scene(sheet, how), threads); };
+        return entry;
+    }
+
+    // Peers run in double and on one thread.
+    [[nodiscard]] Entry peer_entry(std::string name, const PlainSheet& sheet,
+                                   const IntegratorInfo& info, MakePeer make) const {
+        Entry entry = sheet_entry(std::move(name), sheet, info, Precision::f64, 1);
+        if (make != nullptr) entry.make = [=] { return make_stepping(make(sheet)); };
+        if (make == nullptr) entry.note = "not built in: Boost not found";
+        return entry;
+    }
+
+    [[nodiscard]] Group group_with_textbook(const PlainSheet& sheet) const {
+        Group group;
+        group.entries.push_back(peer_entry(std::string(textbook_name), sheet,
+                                           *find_integrator("symplectic-euler"), make_textbook));
+        group.entries.front().shown = false;
+        return group;
+    }
+
+    void add_one_thread(int size, const IntegratorInfo& info) {
+        const PlainSheet sheet{.columns = size, .rows = size};
+        Group group = group_with_textbook(sheet);
+        if (info.name == "symplectic-euler") {
+            group.repeats = target_repeats;
+            group.entries.front().shown = true;
+        }
+        for (const Precision precision : precisions) {
+            group.entries.push_back(weft_entry(sheet, info, precision, 1));
+        }
+        if (info.name == "rk4") {
+            group.repeats = target_repeats;
+            group.entries.push_back(peer_entry("odeint rk4", sheet, info, odeint_rk4));
+        } else if (info.name == "velocity-verlet") {
+            group.entries.push_back(
+                peer_entry("odeint velocity_verlet", sheet, info, odeint_velocity_verlet));
+        }
+        add(std::move(group));
+    }
+
+    void add_all_threads(int size, const IntegratorInfo& info) {
+        if (threads_ < 2) return;
+        const PlainSheet sheet{.columns = size, .rows = size};
+        Group group = group_with_textbook(sheet);
+        for (const Precision precision : precisions) {
+            group.entries.push_back(weft_entry(sheet, info, precision, threads_));
+            if (info.name == "symplectic-euler") {
+                group.entries.push_back(copies_entry(sheet, info, precision));
+            }
+        }
+        add(std::move(group));
+    }
+
+    [[nodiscard]] Entry copies_entry(const PlainSheet& sheet, const IntegratorInfo& info,
+                                     Precision precision) const {
+        const Stepping how = stepping(info, sheet.columns, precision, 1, fewest_in_target);
+        const PinnedCopies::Job job{sheet.columns, sheet.rows, how.steps_per_frame, precision,
+                                    static_cast<int>(&info - integrator_catalogue().data())};
+        Entry entry = sheet_entry(fmt::format("pinned copies {}", info.name), sheet, info,
+                                  precision, threads_);
+        entry.make = [copies = plan_.copies, job] { return copies->make(job); };
+        return entry;
+    }
+
+    void add_mesh(int size, const IntegratorInfo& info) {
+        const PlainSheet sheet{.columns = size, .rows = size};
+        Group group = group_with_textbook(sheet);
+        group.repeats = target_repeats;
+        for (const Precision precision : precisions) {
+            const Stepping how = stepping(info, size, precision, 1, fewest_in_target);
+            Entry entry = sheet_entry(fmt::format("mesh {}", info.name), sheet, info, precision, 1);
+            entry.make = [=] { return make_stepping(mesh_scene(sheet, how), 1); };
+            group.entries.push_back(std::move(entry));
+        }
+        add(std::move(group));
+    }
+
+    void add_flag(int size) {
+        const IntegratorInfo& info = *find_integrator("velocity-verlet");
+        Group group;
+        group.repeats = target_repeats;
+        for (const Precision precision : precisions) {
+            for (const bool wind : {false, true}) {
+                const Stepping how = stepping(info, size, precision, 1, fewest_in_target);
+                Entry entry;
+                entry.label = {wind ? "flag with wind" : "flag without wind", size, size, precision,
+                               1};
+                entry.make = [=] { return make_stepping(flag_scene(size, size, wind, how), 1); };
+                group.entries.push_back(std::move(entry));
+            }
+        }
+        add(std::move(group));
+    }
+
+    // With enough drag to hang still after two seconds, so that the sag is one of rest.
+    void add_frames(int size) {
+        const PlainSheet sheet{.columns = size, .rows = size, .drag = 1e-3};
+        Group group;
+        Entry ours;
+        ours.label = {"velocity-verlet at 60 Hz", size, size, Precision::f32, 1};
+        ours.make = [=] { return make_two_seconds(sheet); };
+        Entry bullet;
+        bullet.label = {"bullet soft body at 60 Hz", size, size, Precision::f32, 1};
+        if (bullet_soft_body != nullptr) {
+            bullet.make = [=] { return make_two_seconds(sheet, bullet_soft_body); };
+        } else {
+            bullet.note = "not built in: Bullet not found";
+        }
+        group.entries = {std::move(ours), std::move(bullet)};
+        add(std::move(group));
+    }
+
+    // Without the textbook, whose springs alone take 3 GB at 4096 x 4096, and one at a time.
+    void add_large(int size, const IntegratorInfo& info) {
+        const PlainSheet sheet{.columns = size, .rows = size};
+        for (const Precision precision : precisions) {
+            Entry entry = weft_entry(sheet, info, precision, 1);
+            entry.label.name = fmt::format("growth {}", info.name);
+            entry.against_textbook = false;
+            Group group;
+            group.entries.push_back(std::move(entry));
+            add(std::move(group));
+        }
+    }
+
+    [[nodiscard]] bool matches(const Entry& entry) const {
+        const std::string text = entry.label.text();
+        std::istringstream words(options_.filter);
+        for (std::string word; words >> word;) {
+            if (text.find(word) == std::string::npos) return false;
+        }
+        return true;
+    }
+
+    void add(Group group) {
+        const auto is_textbook = [](const Entry& e) { return e.label.name == textbook_name; };
+        for (Entry& entry : group.entries) entry.shown = entry.shown && matches(entry);
+        std::erase_if(group.entries, [&](const Entry& e) { return !e.shown && !is_textbook(e); });
+        // The yardstick alone is timed only where it was asked for.
+        const auto needs_yardstick = [&](const Entry& e) {
+            return e.shown && e.against_textbook && e.make != nullptr;
+        };
+        if (std::ranges::none_of(group.entries, needs_yardstick)) {
+            std::erase_if(group.entries, is_textbook);
+        }
+        if (group.entries.empty()) return;
+        if (options_.quick) group.repeats = 1;
+        if (options_.repeats) group.repeats = *options_.repeats;
+        for (const Entry& entry : group.entries) {
+            plan_.needs_copies |= entry.label.name.starts_with("pinned copies");
+        }
+        plan_.groups.push_back(std::move(group));
+    }
+
+    const PlanOptions& options_;
+    int threads_;
+    Plan plan_;
+};
+
+}  // namespace
+
+std::string Label::text() const {
+    return fmt::format("{} {}x{} {} {} thread{}", name, columns, rows,
+                       precision == Precision::f32 ? "single" : "double", threads,
+                       threads == 1 ? "" : "s");
+}
+
+Plan make_plan(const PlanOptions& options, int threads) {
+    Plan plan = Planner(options, threads).plan();
+    if (!plan.groups.empty()) return plan;
+    throw Error(ErrorKind::usage, {.key = fmt::format("--filter \"{}\"", options.filter)},
+                "no case has all of these words",
+                "Cases are named like \"rk4 256x256 single 1 thread\", \"textbook 40x40 double 1 "
+                "thread\",\n\"mesh symplectic-euler\", \"flag with wind\", \"odeint\", \"bullet\", "
+                "\"pinned copies\"; --quick has only those\nup to 256x256.");
+}
+
+}  // namespace weft::bench

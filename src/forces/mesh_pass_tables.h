@@ -1,0 +1,66 @@
+// The tables that a mesh's pass reads, built once from the cloth.
+#pragma once
+
+#include <hwy/aligned_allocator.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "cloth/cloth_model.h"
+#include "forces/mesh_pass.h"
+
+namespace weft {
+
+/// [size] numbers, zero at first, aligned to cache lines.
+template <typename T>
+class LineAligned {
+public:
+    LineAligned() = default;
+    explicit LineAligned(std::size_t size)
+        : size_(size), data_(hwy::AllocateAligned<T>(std::max<std::size_t>(size, 1))) {
+        std::fill_n(data_.get(), size, T{0});
+    }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] T* data() { return data_.get(); }
+    [[nodiscard]] const T* data() const { return data_.get(); }
+    T& operator[](std::size_t i) { return data_[i]; }
+
+private:
+    std::size_t size_ = 0;
+    hwy::AlignedFreeUniquePtr<T[]> data_;
+};
+
+/// Lists of what every slot has, as vectors: the n-th of each lane's list stands in the list's n-th
+/// vector, lists are as long as the longest of their slice.
+struct SlicedLists {
+    std::vector<std::uint32_t> starts;  ///< [list of a slice + 1] [vector]
+    LineAligned<std::uint32_t> items;   ///< [vector][lane]
+};
+
+/// The springs of a mesh by slices, those of a kind together, each particle's by rising slot.
+template <typename Real>
+struct MeshSpringTables {
+    SlicedLists neighbours;      ///< three lists a slice, by SpringKind
+    LineAligned<Real> tensions;  ///< [vector][lane], k L / root_scale [N]
+    LineAligned<Real> widths;    ///< [vector][lane]; empty where all are 1
+
+    MeshSpringTables() = default;
+    MeshSpringTables(const ClothModel& cloth, std::size_t lanes);
+};
+
+/// The triangles of a mesh, those of the same lowest slot together, and every slot's list of them.
+struct MeshTriangleTables {
+    std::size_t vectors = 0;              ///< of triangles, the last with at least one of no force
+    LineAligned<std::uint32_t> corners;   ///< [vector][corner][lane], slots; padding: all alike
+    SlicedLists triangles;                ///< one list a slice
+
+    MeshTriangleTables() = default;
+    MeshTriangleTables(const ClothModel& cloth, std::size_t lanes);
+};
+
+extern template struct MeshSpringTables<float>;
+extern template struct MeshSpringTables<double>;
+
+}  // namespace weft
