@@ -14,8 +14,11 @@ int hardware_threads() {
 }  // namespace
 
 ThreadTeam::ThreadTeam(int threads)
-    : size_(threads > 0 ? threads : hardware_threads()),
-      limit_(oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(size_)),
-      arena_(size_) {}
+    : size_(threads > 0 ? threads : hardware_threads()), arena_(size_) {
+    if (size_ > hardware_threads()) {
+        limit_.emplace(oneapi::tbb::global_control::max_allowed_parallelism,
+                       static_cast<std::size_t>(size_));
+    }
+}
 
 }  // namespace weft

@@ -9,6 +9,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <cstddef>
+#include <optional>
 
 #if defined(__SANITIZE_THREAD__)
 #include <sanitizer/tsan_interface.h>
@@ -31,7 +32,9 @@ public:
 
 private:
     int size_;
-    oneapi::tbb::global_control limit_;
+    // Only for teams of more threads than the machine has: TBB takes the least of all limits that
+    // live, so that a small team's would bind a large one.
+    std::optional<oneapi::tbb::global_control> limit_;
     oneapi::tbb::task_arena arena_;
 };
 

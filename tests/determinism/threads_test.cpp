@@ -29,7 +29,7 @@ template <typename Real>
 ParticleState<Real> after_steps(const ClothModel& cloth, const SceneDescription& scene,
                                 std::string_view method, int threads) {
     ThreadTeam team(threads);
-    ClothSystem<Real> system(cloth, scene);
+    ClothSystem<Real> system(cloth, scene, chosen_instruction_set(), threads);
     ParticleState<Real> state =
         disturbed_state<Real>(cloth, cloth.is_grid() ? cloth.shape.dx : 0.005);
     const auto integrator = make_integrator<Real>(method);
