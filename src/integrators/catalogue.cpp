@@ -121,10 +121,10 @@ double stability_limit(std::string_view name, double zeta) {
 }
 
 template <typename Real>
-std::unique_ptr<Integrator<Real>> make_integrator(std::string_view name) {
+std::unique_ptr<Integrator<Real>> make_integrator(std::string_view name, InstructionSet set) {
     const Method& method = find_method(name);
     if (method.runge_kutta != nullptr) {
-        return std::make_unique<RungeKutta<Real>>(*method.runge_kutta);
+        return std::make_unique<RungeKutta<Real>>(*method.runge_kutta, set);
     }
     if (method.composition != nullptr) {
         return std::make_unique<Composition<Real>>(*method.composition);
@@ -133,7 +133,7 @@ std::unique_ptr<Integrator<Real>> make_integrator(std::string_view name) {
     return std::make_unique<PositionVerlet<Real>>(method.verlet == Method::Verlet::time_corrected);
 }
 
-template std::unique_ptr<Integrator<float>> make_integrator(std::string_view);
-template std::unique_ptr<Integrator<double>> make_integrator(std::string_view);
+template std::unique_ptr<Integrator<float>> make_integrator(std::string_view, InstructionSet);
+template std::unique_ptr<Integrator<double>> make_integrator(std::string_view, InstructionSet);
 
 }  // namespace weft

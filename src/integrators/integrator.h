@@ -7,6 +7,7 @@
 
 #include "cloth/particle_state.h"
 #include "integrators/dynamics_system.h"
+#include "math/instruction_sets.h"
 #include "weft/integrators.h"
 
 namespace weft {
@@ -36,11 +37,15 @@ public:
     virtual void restore(const History&) {}
 };
 
+/// @param set of the integrator's own loops; forces are the system's.
 /// @pre find_integrator(name) is not null.
 template <typename Real>
-std::unique_ptr<Integrator<Real>> make_integrator(std::string_view name);
+std::unique_ptr<Integrator<Real>> make_integrator(std::string_view name,
+                                                  InstructionSet set = chosen_instruction_set());
 
-extern template std::unique_ptr<Integrator<float>> make_integrator(std::string_view);
-extern template std::unique_ptr<Integrator<double>> make_integrator(std::string_view);
+extern template std::unique_ptr<Integrator<float>> make_integrator(std::string_view,
+                                                                   InstructionSet);
+extern template std::unique_ptr<Integrator<double>> make_integrator(std::string_view,
+                                                                    InstructionSet);
 
 }  // namespace weft

@@ -1,6 +1,6 @@
 #include "integrators/runge_kutta.h"
 
-#include "integrators/array_loop.h"
+#include "math/linear_combination.h"
 
 namespace weft {
 
@@ -30,7 +30,8 @@ std::complex<double> stability_function(const ButcherTable& table, std::complex<
 }
 
 template <typename Real>
-RungeKutta<Real>::RungeKutta(const ButcherTable& table) : table_(table) {
+RungeKutta<Real>::RungeKutta(const ButcherTable& table, InstructionSet instruction_set)
+    : table_(table), instruction_set_(instruction_set) {
     const auto stages = static_cast<std::size_t>(table_.stages);
     for (std::size_t i = 0; i < stages; ++i) {
         for (std::size_t j = 0; j < stages; ++j) {
@@ -57,28 +58,12 @@ template <typename Real>
 void RungeKutta<Real>::combine(const ParticleState<Real>& state, double h, double c,
                                const Weights& x_weights, const Weights& v_weights,
                                Vec3Array<Real>& out_x, Vec3Array<Real>& out_v) const {
-    constexpr std::size_t block = 1024;  // stays in the first-level cache over all slopes
-    const Real hc = static_cast<Real>(h * c);
-    for_components(out_x, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t from = begin; from < end; from += block) {
-            const std::size_t to = std::min(from + block, end);
-            const Real *x = state.x.data(), *v = state.v.data();
-            Real *xo = out_x.data(), *vo = out_v.data();
-            for (std::size_t n = from; n < to; ++n) xo[n] = x[n] + hc * v[n];
-            if (vo != v) std::copy(v + from, v + to, vo + from);
-            for (std::size_t j = 0; j < static_cast<std::size_t>(table_.stages); ++j) {
-                const Real xw = static_cast<Real>(h * h * x_weights[j]);
-                const Real vw = static_cast<Real>(h * v_weights[j]);
-                const Real* a = slopes_[j].data();
-                if (xw != 0) {
-                    for (std::size_t n = from; n < to; ++n) xo[n] += xw * a[n];
-                }
-                if (vw != 0) {
-                    for (std::size_t n = from; n < to; ++n) vo[n] += vw * a[n];
-                }
-            }
-        }
-    });
+    LinearCombination<Real> sums(out_x, out_v);
+    sums.add(state.x, 1.0).add(state.v, h * c, 1.0);
+    for (std::size_t j = 0; j < static_cast<std::size_t>(table_.stages); ++j) {
+        sums.add(slopes_[j], h * h * x_weights[j], h * v_weights[j]);
+    }
+    sums.compute(instruction_set_);
 }
 
 template <typename Real>

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "integrators/integrator.h"
+#include "math/instruction_sets.h"
 
 namespace weft {
 
@@ -30,7 +31,7 @@ std::complex<double> stability_function(const ButcherTable& table, std::complex<
 template <typename Real>
 class RungeKutta final : public Integrator<Real> {
 public:
-    explicit RungeKutta(const ButcherTable& table);
+    RungeKutta(const ButcherTable& table, InstructionSet instruction_set);
     void prepare(DynamicsSystem<Real>& system) override;
     void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
 
@@ -41,6 +42,7 @@ private:
                  const Weights& v_weights, Vec3Array<Real>& out_x, Vec3Array<Real>& out_v) const;
 
     ButcherTable table_;
+    InstructionSet instruction_set_;
     std::array<Weights, ButcherTable::max_stages> a_squared_{};
     Weights b_a_{};  // b^T A
     Vec3Array<Real> stage_x_, stage_v_;

@@ -7,6 +7,7 @@
 
 #include "forces/measure_cloth.h"
 #include "integrators/integrator.h"
+#include "simulation/cloth_system.h"
 #include "simulation/divergence.h"
 #include "simulation/stability.h"
 #include "weft/error.h"
@@ -19,7 +20,7 @@ namespace {
 constexpr double auto_fraction = 0.9;  // of the stable step
 constexpr int max_halvings = 12;       // of the step, over a run
 constexpr std::size_t frames_between_estimates = 8;
-constexpr int products_per_estimate = 3;
+constexpr int products_per_estimate = 2;
 
 // Smallest whole number of steps in a frame that keeps each at most dt; a step that fits a whole
 // number of times but for rounding is taken at that number.
@@ -87,10 +88,10 @@ private:
     ClothSystem<Real> system_;
     std::unique_ptr<Integrator<Real>> integrator_;
     ParticleState<Real> state_;
-    mutable ClothMeasures<Real> measures_;              // its scratch memory changes
+    mutable ClothMeasures<Real> measures_;             // its scratch memory changes
     mutable std::optional<StrainCheck> strain_check_;  // of the present state, where known
     StabilityModes modes_;
-    Vec3Array<Real> fastest_mode_;
+    std::optional<StabilityAnalysis<Real>> analysis_;  // under "auto" only
     std::size_t frame_ = 0, step_count_ = 0, steps_per_frame_ = 1;
     int halvings_ = 0;
     Work work_, last_power_;
@@ -108,7 +109,7 @@ ClothEngine<Real>::ClothEngine(const ClothModel& cloth, const SceneDescription& 
     : cloth_(cloth),
       scene_(scene),
       system_(cloth, scene, options.instruction_set, options.threads),
-      integrator_(make_integrator<Real>(scene.integrator.method)),
+      integrator_(make_integrator<Real>(scene.integrator.method, options.instruction_set)),
       measures_(cloth, scene.forces, options.instruction_set) {
     state_.x = Vec3Array<Real>(cloth.layout.slot_count());
     state_.v = Vec3Array<Real>(cloth.layout.slot_count());
@@ -116,9 +117,9 @@ ClothEngine<Real>::ClothEngine(const ClothModel& cloth, const SceneDescription& 
         state_.x.set(slot, vec3_cast<Real>(cloth.rest_position(p)));
     });
     system_.constrain(0.0, state_.x.view(), state_.v.view());
-    modes_ = stability_modes(cloth, scene.forces, system_, std::as_const(state_.x).view(),
-                             fastest_mode_);
-    if (!is_auto()) fastest_mode_ = {};
+    analysis_.emplace(cloth, scene.forces, options.instruction_set, options.threads);
+    modes_ = analysis_->find(std::as_const(state_.x).view());
+    if (!is_auto()) analysis_.reset();
     steps_per_frame_ =
         is_auto() ? auto_steps() : steps_for(frame_length(), *scene.integrator.time_step);
     integrator_->prepare(system_);
@@ -148,8 +149,8 @@ LinearAnalysis ClothEngine<Real>::linear_analysis() const {
 template <typename Real>
 void ClothEngine<Real>::keep_stable() {
     if (!is_auto() || frame_ == 0 || frame_ % frames_between_estimates != 0) return;
-    const double squared = follow_largest_stiffness(cloth_, system_, std::as_const(state_.x).view(),
-                                                    fastest_mode_, products_per_estimate);
+    const double squared =
+        analysis_->follow(std::as_const(state_.x).view(), products_per_estimate);
     Mode& fastest = modes_.modes.front();
     if (!(squared > fastest.omega * fastest.omega)) return;
     fastest.omega = std::sqrt(squared);
@@ -260,12 +261,16 @@ template <typename Real>
 void ClothEngine<Real>::capture(FrameBuffer& buffer, FrameNeeds needs) const {
     buffer.index = frame_;
     buffer.time = state_.time;
-    buffer.positions.resize(cloth_.particle_count);
-    buffer.velocities.resize(needs.velocities ? cloth_.particle_count : 0);
-    buffer.normals.resize(needs.normals ? cloth_.particle_count : 0);
-    measures_.copy(state_.x.view(), buffer.positions);
-    if (needs.velocities) measures_.copy(state_.v.view(), buffer.velocities);
-    if (needs.normals) measures_.normals(state_.x.view(), buffer.normals);
+    const auto count = [&](bool needed) { return needed ? cloth_.particle_count : 0; };
+    buffer.positions.resize(count(needs.positions));
+    buffer.velocities.resize(count(needs.velocities));
+    buffer.normals.resize(count(needs.normals));
+    buffer.rounded_positions.resize(count(needs.rounded_positions));
+    const auto x = state_.x.view(), v = state_.v.view();
+    if (needs.positions) measures_.copy(x, std::span(buffer.positions));
+    if (needs.velocities) measures_.copy(v, std::span(buffer.velocities));
+    if (needs.normals) measures_.normals(x, buffer.normals);
+    if (needs.rounded_positions) measures_.copy(x, std::span(buffer.rounded_positions));
 }
 
 template <typename Real>
