@@ -31,19 +31,23 @@ struct Surface {
 /// The cloth at one moment: a view, valid as long as its owner says. Frame 0 is the initial state.
 struct Frame {
     std::size_t index = 0;
-    double time = 0.0;                  ///< [s]
-    std::span<const Vec3d> positions;   ///< [particle], [m]
-    std::span<const Vec3d> velocities;  ///< [particle], [m/s]; empty where not asked for
-    std::span<const Vec3f> normals;     ///< [particle], unit or zero; empty where not asked for
+    double time = 0.0;                           ///< [s]
+    std::span<const Vec3d> positions;            ///< [particle], [m]
+    std::span<const Vec3d> velocities;           ///< [particle], [m/s]
+    std::span<const Vec3f> normals;              ///< [particle], unit or zero
+    std::span<const Vec3f> rounded_positions{};  ///< [particle], the positions in float [m]
 };
 
-/// What a frame holds besides index, time and positions, which are always there.
+/// What a frame's taker looks at. Spans that nobody asked for are empty.
 struct FrameNeeds {
+    bool positions = true;
     bool velocities = true;
     bool normals = true;
+    bool rounded_positions = false;
 
     friend constexpr FrameNeeds operator|(FrameNeeds a, FrameNeeds b) {
-        return {a.velocities || b.velocities, a.normals || b.normals};
+        return {a.positions || b.positions, a.velocities || b.velocities, a.normals || b.normals,
+                a.rounded_positions || b.rounded_positions};
     }
 };
 
@@ -59,8 +63,11 @@ struct FrameBuffer {
     double time = 0.0;                         ///< [s]
     std::vector<Vec3d> positions, velocities;  ///< [particle], [m], [m/s]; see FrameNeeds
     std::vector<Vec3f> normals;                ///< [particle]; see FrameNeeds
+    std::vector<Vec3f> rounded_positions;      ///< [particle], [m]; see FrameNeeds
 
-    [[nodiscard]] Frame view() const { return {index, time, positions, velocities, normals}; }
+    [[nodiscard]] Frame view() const {
+        return {index, time, positions, velocities, normals, rounded_positions};
+    }
 };
 
 }  // namespace weft

@@ -31,7 +31,8 @@ class Recorder {
 public:
     virtual ~Recorder() = default;
 
-    /// What frame() looks at; frames may come without the rest.
+    /// What frame() looks at; frames may come without the rest. A recorder that asks for rounded
+    /// positions takes positions instead where a frame has only those.
     [[nodiscard]] virtual FrameNeeds needs() const { return {}; }
     /// @throws Error (file).
     virtual void begin(const RecordingPlan& plan) = 0;

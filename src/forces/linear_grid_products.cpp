@@ -75,8 +75,8 @@ private:
         for (std::size_t j = 0; j < shape.rows; ++j) {
             const auto spring = [&](double factor) {
                 const double present = j < family.owner_rows ? factor : 0.0;
-                return linear_spring<Real>(material.stiffness * present,
-                                           material.damping * present, family.rest_length);
+                return linear_spring<Real>(material.stiffness * present, material.damping * present,
+                                           family.rest_length);
             };
             LinearRow<Real>& row = pass_.row_constants[pass_.row_kind(j)];
             row.inner[n] = spring(family.spring_factor(inner_column, j, shape));
@@ -94,8 +94,8 @@ private:
         lines_ = hwy::AllocateAligned<Real>(count * room);
         std::fill_n(lines_.get(), count * room, Real{0});
         for (std::size_t n = 0; n < count; ++n) {
-            bands_.push_back({n * pass_.rows / count, (n + 1) * pass_.rows / count,
-                              lines_.get() + n * room});
+            bands_.push_back(
+                {n * pass_.rows / count, (n + 1) * pass_.rows / count, lines_.get() + n * room});
         }
     }
 
@@ -111,14 +111,16 @@ private:
 
 template <typename Real>
 std::unique_ptr<typename LinearKernel<Real>::Products> make_grid_products(
-    const ClothModel& cloth, const ForcesDescription& forces,
-    std::vector<Real> root_inverse_masses, InstructionSet set, int threads) {
+    const ClothModel& cloth, const ForcesDescription& forces, std::vector<Real> root_inverse_masses,
+    InstructionSet set, int threads) {
     return std::make_unique<GridProducts<Real>>(cloth, forces, std::move(root_inverse_masses), set,
                                                 threads);
 }
 
-template std::unique_ptr<LinearKernel<float>::Products> make_grid_products(
-    const ClothModel&, const ForcesDescription&, std::vector<float>, InstructionSet, int);
+template std::unique_ptr<LinearKernel<float>::Products> make_grid_products(const ClothModel&,
+                                                                           const ForcesDescription&,
+                                                                           std::vector<float>,
+                                                                           InstructionSet, int);
 template std::unique_ptr<LinearKernel<double>::Products> make_grid_products(
     const ClothModel&, const ForcesDescription&, std::vector<double>, InstructionSet, int);
 

@@ -23,17 +23,21 @@ public:
           slices_((cloth.layout.slot_count() + lanes_ - 1) / lanes_),
           tables_(cloth, lanes_),
           masses_(slices_ * lanes_),
-          rows_(slices_ * lanes_ * LinearMeshPass<Real>::row_size),
+          x_(4 * slices_ * lanes_),
+          u_(4 * slices_ * lanes_),
           sums_((slices_ + block_slices - 1) / block_slices) {
         if constexpr (sizeof(Real) == 4) {
             function_ = linear_mesh_single(set);
-            write_rows_ = linear_rows_single(set);
+            write_records_ = linear_records_single(set);
         } else {
             function_ = linear_mesh_double(set);
-            write_rows_ = linear_rows_double(set);
+            write_records_ = linear_records_double(set);
         }
         std::copy(this->root_inverse_masses().begin(), this->root_inverse_masses().end(),
                   masses_.data());
+        for (std::size_t n = 0; n < tables_.neighbours.items.size(); ++n) {
+            tables_.neighbours.items[n] *= 4;
+        }
         pass_.spring_starts = tables_.neighbours.starts.data();
         pass_.neighbours = tables_.neighbours.items.data();
         pass_.tensions = tables_.tensions.data();
@@ -45,18 +49,22 @@ public:
         }
         pass_.root_inverse_masses = masses_.data();
         pass_.drag = static_cast<Real>(forces.damping);
-        pass_.rows = rows_.data();
+        pass_.x_records = x_.data();
+        pass_.u_records = u_.data();
     }
 
     void linearise_at(ConstVec3View<Real> x) override {
-        write_rows({{x.x, x.y, x.z}, nullptr, Real{1}, rows_.data()});
+        pass_.x = {x.x, x.y, x.z};
+        write_records({pass_.x, nullptr, Real{1}, x_.data()});
     }
 
     LinearSums multiply(LinearMatrix matrix, Real scale, ConstVec3View<Real> u,
                         Vec3View<Real> out) override {
         pass_.matrix = matrix;
+        pass_.scale = scale;
+        pass_.u = {u.x, u.y, u.z};
         pass_.out = {out.x, out.y, out.z};
-        write_rows({{u.x, u.y, u.z}, masses_.data(), scale, rows_.data() + 4});
+        write_records({pass_.u, masses_.data(), scale, u_.data()});
         for_blocks([&](std::size_t block, std::size_t begin, std::size_t end) {
             sums_[block] = function_(pass_, begin, end);
         });
@@ -79,19 +87,19 @@ private:
         });
     }
 
-    void write_rows(const LinearRows<Real>& from) const {
+    void write_records(const LinearRecords<Real>& from) const {
         for_blocks([&](std::size_t, std::size_t begin, std::size_t end) {
-            write_rows_(from, begin, end);
+            write_records_(from, begin, end);
         });
     }
 
     std::size_t lanes_, slices_;
     MeshSpringTables<Real> tables_;
-    LineAligned<Real> masses_, rows_;
+    LineAligned<Real> masses_, x_, u_;
     std::vector<LinearSums> sums_;  // [block]
     LinearMeshPass<Real> pass_;
     LinearMeshFunction<Real> function_;
-    LinearRowsFunction<Real> write_rows_;
+    LinearRecordsFunction<Real> write_records_;
 };
 
 }  // namespace
@@ -103,8 +111,10 @@ std::unique_ptr<typename LinearKernel<Real>::Products> make_mesh_products(
     return std::make_unique<MeshProducts<Real>>(cloth, forces, std::move(root_inverse_masses), set);
 }
 
-template std::unique_ptr<LinearKernel<float>::Products> make_mesh_products(
-    const ClothModel&, const ForcesDescription&, std::vector<float>, InstructionSet);
+template std::unique_ptr<LinearKernel<float>::Products> make_mesh_products(const ClothModel&,
+                                                                           const ForcesDescription&,
+                                                                           std::vector<float>,
+                                                                           InstructionSet);
 template std::unique_ptr<LinearKernel<double>::Products> make_mesh_products(
     const ClothModel&, const ForcesDescription&, std::vector<double>, InstructionSet);
 

@@ -9,14 +9,34 @@
 
 #include <hwy/highway.h>
 
-#include "forces/grid_pass-inl.h"
 #include "forces/linear_pass.h"
-#include "math/simd-inl.h"
+#include "math/pack-inl.h"
 
 #if WEFT_SIMD_TARGET
 HWY_BEFORE_NAMESPACE();
 namespace weft {
 namespace HWY_NAMESPACE {
+
+// The families as grid_spring_families() orders them.
+enum LinearFamily : std::size_t { along_row, along_column, shear, anti, bend_row, bend_column };
+
+// Pointers to the components of one array along one row.
+template <typename Real>
+struct LinearLine {
+    Real *x, *y, *z;
+};
+
+template <class D, typename Real>
+HWY_INLINE Pack<D> load(D d, const LinearLine<Real>& line, std::size_t i) {
+    return load_pack(d, line.x + i, line.y + i, line.z + i);
+}
+
+template <class D, typename Real>
+HWY_INLINE void store(D d, const Pack<D>& value, const LinearLine<Real>& line, std::size_t i) {
+    hn::StoreU(value.x, d, line.x + i);
+    hn::StoreU(value.y, d, line.y + i);
+    hn::StoreU(value.z, d, line.z + i);
+}
 
 // A vector of springs: what they have in common, or each its own.
 template <class D>
@@ -39,8 +59,8 @@ struct LinearParts {
 // Stiffness: with r = 1 / |dx| and m = min(k, k L r), the part of k that tension does not bear,
 // across = k - m and along = m r^2 (dx.du). Damping: along = c r^2 (dx.du).
 template <LinearMatrix matrix, class D>
-HWY_INLINE LinearParts<D> spring_parts(D d, const LinearSpringVectors<D>& spring,
-                                       const Pack<D>& dx, const Pack<D>& du) {
+HWY_INLINE LinearParts<D> spring_parts(D d, const LinearSpringVectors<D>& spring, const Pack<D>& dx,
+                                       const Pack<D>& du) {
     using T = hn::TFromD<D>;
     const auto root = scaled_inverse_root(d, square(d, dx));
     const auto projected = hn::Mul(hn::Mul(root, root), dot(dx, du));
@@ -127,11 +147,11 @@ private:
     [[nodiscard]] std::size_t below(std::size_t j, std::size_t by) const {
         return j + by < pass_.rows ? j + by : pass_.rows - 1;
     }
-    [[nodiscard]] RowOf<const T> position(std::size_t j) const {
+    [[nodiscard]] LinearLine<const T> position(std::size_t j) const {
         const std::size_t first = j * pass_.stride;
         return {pass_.x[0] + first, pass_.x[1] + first, pass_.x[2] + first};
     }
-    [[nodiscard]] RowOf<T> line(T* lines, std::size_t j, std::size_t after = 0) const {
+    [[nodiscard]] LinearLine<T> line(T* lines, std::size_t j, std::size_t after = 0) const {
         const std::size_t stride = LinearBand<T>::line_stride(pass_.stride);
         T* const first = lines + 3 * (j % 3 + after) * stride;
         return {first, first + stride, first + 2 * stride};
@@ -182,9 +202,10 @@ private:
 
             // What owners to the left and above put here; what this vector puts below.
             P sum = minus(load(d, sum0_, i), own);
-            sum = plus(sum, moved<1>(right, carry1));
-            sum = plus(sum, moved<2>(far_right, carry2));
-            const P next = plus(load(d, sum1_, i), plus(down, moved<1>(diagonal, carry_below)));
+            sum = plus(sum, shift_in<1>(d, right, carry1));
+            sum = plus(sum, shift_in<2>(d, far_right, carry2));
+            const P next =
+                plus(load(d, sum1_, i), plus(down, shift_in<1>(d, diagonal, carry_below)));
             store(d, next, sum1_, i);
             store(d, far_down, sum2_, i);
             carry1 = right;
@@ -195,13 +216,6 @@ private:
         carry1_ = carry1;
         carry2_ = carry2;
         carry_below_ = carry_below;
-    }
-
-    template <int n>
-    static HWY_INLINE P moved(const P& current, const P& previous) {
-        const D d;
-        return {shift_in<n>(d, current.x, previous.x), shift_in<n>(d, current.y, previous.y),
-                shift_in<n>(d, current.z, previous.z)};
     }
 
     HWY_INLINE void finish(D d, const P& sum, const P& u, std::size_t i) {
@@ -216,21 +230,19 @@ private:
     }
 
     const LinearGridPass<T>& pass_;
-    const RowOf<const T> x0_, x1_, x2_;
-    const RowOf<T> u0_, u1_, u2_, sum0_, sum1_, sum2_;
+    const LinearLine<const T> x0_, x1_, x2_;
+    const LinearLine<T> u0_, u1_, u2_, sum0_, sum1_, sum2_;
     const T* const masses_;
-    const RowOf<T> out_;
+    const LinearLine<T> out_;
     const LinearRow<T>& row_;
-    const V zero_ = hn::Zero(D());
-    V in_out_ = zero_, out_out_ = zero_;
+    V in_out_ = hn::Zero(D()), out_out_ = in_out_;
     // What the vector before puts one and two columns to the right, and one right of it below.
-    P carry1_{zero_, zero_, zero_}, carry2_{zero_, zero_, zero_},
-        carry_below_{zero_, zero_, zero_};
+    P carry1_ = zero_pack(D()), carry2_ = carry1_, carry_below_ = carry1_;
 };
 
 template <class D, LinearMatrix matrix>
 HWY_NOINLINE void linear_rows_of(const LinearGridPass<hn::TFromD<D>>& pass,
-                              const LinearBand<hn::TFromD<D>>& band) {
+                                 const LinearBand<hn::TFromD<D>>& band) {
     using T = hn::TFromD<D>;
     using Sweep = LinearRowSweep<D, matrix>;
     const std::size_t first = band.row_begin > 2 ? band.row_begin - 2 : 0;

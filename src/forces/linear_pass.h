@@ -49,9 +49,9 @@ template <typename Real>
 struct LinearGridPass {
     LinearMatrix matrix = LinearMatrix::stiffness;
     std::size_t columns = 0, rows = 0, stride = 0;
-    std::array<LinearRow<Real>, 6> row_constants;  ///< by row_kind()
+    std::array<LinearRow<Real>, 6> row_constants;                 ///< by row_kind()
     std::array<const Real*, grid_family_count> column_factors{};  ///< [stride], 0: no spring
-    bool left_edge = false;  ///< column 0 differs from the inner ones
+    bool left_edge = false;                     ///< column 0 differs from the inner ones
     const Real* root_inverse_masses = nullptr;  ///< M^-1/2 [slot], 0: pinned, or padding
     Real drag = 0;                              ///< of C [kg/s]
     Real scale = 1;                             ///< s
@@ -96,23 +96,24 @@ struct LinearKind {
     Real scaled_damping = 0;  ///< c / root_scale^2 [N s/m]
 };
 
-/// A product on a mesh; pointers belong to others and are aligned to cache lines, save out. The
-/// tables are those of forces/mesh_pass.h.
+/// A product on a mesh; pointers belong to others and are aligned to cache lines, save x, u, out.
+/// Its springs stand as in MeshSpringTables. Records are the vectors of one slot each, {x, y, z,
+/// 0}.
 template <typename Real>
 struct LinearMeshPass {
-    static constexpr std::size_t row_size = 8;  ///< {x, y, z, 0, ux, uy, uz, 0}
-
     LinearMatrix matrix = LinearMatrix::stiffness;
     std::array<LinearKind<Real>, 3> kinds{};  ///< by SpringKind
     /// [3 slices + 1], where a slice's springs of a kind begin [vector].
     const std::uint32_t* spring_starts = nullptr;
-    const std::uint32_t* neighbours = nullptr;  ///< [vector][lane], slots; padding: the lane's own
+    const std::uint32_t* neighbours = nullptr;  ///< [vector][lane], 4 slot; padding: the lane's own
     const Real* tensions = nullptr;             ///< [vector][lane], k L / root_scale [N]
     const Real* widths = nullptr;  ///< [vector][lane], factor of k and c; nullptr: all are 1
     const Real* root_inverse_masses = nullptr;  ///< M^-1/2 [slot], 0: pinned; whole slices
     Real drag = 0;                              ///< of C [kg/s]
-    const Real* rows = nullptr;      ///< [slot][row_size] of x and s M^-1/2 u, whole slices
-    std::array<Real*, 3> out{};      ///< [slot], with room for whole slices
+    Real scale = 1;                             ///< s
+    const Real *x_records = nullptr, *u_records = nullptr;  ///< of x, s M^-1/2 u; whole slices
+    std::array<const Real*, 3> x{}, u{};                    ///< [slot], readable in whole slices
+    std::array<Real*, 3> out{};                             ///< [slot], with room for whole slices
 };
 
 /// The product on slices [begin, end), and its sums.
@@ -123,20 +124,21 @@ using LinearMeshFunction = LinearSums (*)(const LinearMeshPass<Real>&, std::size
 LinearMeshFunction<float> linear_mesh_single(InstructionSet set);
 LinearMeshFunction<double> linear_mesh_double(InstructionSet set);
 
-/// Vectors to be written into rows of LinearMeshPass: factor scales[s] u[s].
+/// Vectors to be written as records: factor scales[s] u[s].
 template <typename Real>
-struct LinearRows {
+struct LinearRecords {
     std::array<const Real*, 3> u{};  ///< [slot], readable in whole slices
     const Real* scales = nullptr;    ///< [slot], whole slices; nullptr: all are 1
     Real factor = 1;
-    Real* rows = nullptr;  ///< the first slot's first place
+    Real* records = nullptr;  ///< [4 slot], whole slices
 };
 
 /// Writes those of slices [begin, end).
 template <typename Real>
-using LinearRowsFunction = void (*)(const LinearRows<Real>&, std::size_t begin, std::size_t end);
+using LinearRecordsFunction = void (*)(const LinearRecords<Real>&, std::size_t begin,
+                                       std::size_t end);
 
-LinearRowsFunction<float> linear_rows_single(InstructionSet set);
-LinearRowsFunction<double> linear_rows_double(InstructionSet set);
+LinearRecordsFunction<float> linear_records_single(InstructionSet set);
+LinearRecordsFunction<double> linear_records_double(InstructionSet set);
 
 }  // namespace weft

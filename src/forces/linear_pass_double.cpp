@@ -22,8 +22,8 @@ LinearSums linear_mesh_double(const LinearMeshPass<double>& pass, std::size_t be
     return linear_slices(pass, begin, end);
 }
 
-void linear_rows_double(const LinearRows<double>& from, std::size_t begin, std::size_t end) {
-    write_rows(from, begin, end);
+void linear_records_double(const LinearRecords<double>& from, std::size_t begin, std::size_t end) {
+    write_records(from, begin, end);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -42,8 +42,8 @@ LinearMeshFunction<double> linear_mesh_double(InstructionSet set) {
     return WEFT_SIMD_FUNCTION(set, linear_mesh_double);
 }
 
-LinearRowsFunction<double> linear_rows_double(InstructionSet set) {
-    return WEFT_SIMD_FUNCTION(set, linear_rows_double);
+LinearRecordsFunction<double> linear_records_double(InstructionSet set) {
+    return WEFT_SIMD_FUNCTION(set, linear_records_double);
 }
 
 }  // namespace weft

@@ -22,8 +22,8 @@ LinearSums linear_mesh_single(const LinearMeshPass<float>& pass, std::size_t beg
     return linear_slices(pass, begin, end);
 }
 
-void linear_rows_single(const LinearRows<float>& from, std::size_t begin, std::size_t end) {
-    write_rows(from, begin, end);
+void linear_records_single(const LinearRecords<float>& from, std::size_t begin, std::size_t end) {
+    write_records(from, begin, end);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -42,8 +42,8 @@ LinearMeshFunction<float> linear_mesh_single(InstructionSet set) {
     return WEFT_SIMD_FUNCTION(set, linear_mesh_single);
 }
 
-LinearRowsFunction<float> linear_rows_single(InstructionSet set) {
-    return WEFT_SIMD_FUNCTION(set, linear_rows_single);
+LinearRecordsFunction<float> linear_records_single(InstructionSet set) {
+    return WEFT_SIMD_FUNCTION(set, linear_records_single);
 }
 
 }  // namespace weft

@@ -28,14 +28,14 @@ private:
 /// @param set not scalar.
 template <typename Real>
 std::unique_ptr<typename LinearKernel<Real>::Products> make_grid_products(
-    const ClothModel& cloth, const ForcesDescription& forces,
-    std::vector<Real> root_inverse_masses, InstructionSet set, int threads);
+    const ClothModel& cloth, const ForcesDescription& forces, std::vector<Real> root_inverse_masses,
+    InstructionSet set, int threads);
 
 /// @param set not scalar.
 template <typename Real>
 std::unique_ptr<typename LinearKernel<Real>::Products> make_mesh_products(
-    const ClothModel& cloth, const ForcesDescription& forces,
-    std::vector<Real> root_inverse_masses, InstructionSet set);
+    const ClothModel& cloth, const ForcesDescription& forces, std::vector<Real> root_inverse_masses,
+    InstructionSet set);
 
 /// The constants of a spring, scaled as the passes want them.
 template <typename Real>

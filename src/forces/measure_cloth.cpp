@@ -250,6 +250,20 @@ void ClothMeasures<Real>::copy(View x, std::span<Vec3d> out) const {
     }
 }
 
+template <typename Real>
+void ClothMeasures<Real>::copy(View x, std::span<Vec3f> out) const {
+    if (uses_twins()) {
+        cloth_.layout.for_each(
+            [&](std::size_t p, std::size_t slot) { out[p] = vec3_cast<float>(x[slot]); });
+    } else if (cloth_.is_grid()) {
+        parallel_for(grid_.rows, row_grain(cloth_), [&](std::size_t begin, std::size_t end) {
+            sweeps_.copy_rounded(grid_, x, begin, end, out.data());
+        });
+    } else {
+        mesh_.copy(x, out);
+    }
+}
+
 // A wrapping sum over (particle, x or v, component): no term waits for another, and the layout does
 // not matter.
 template <typename Real>
@@ -273,9 +287,15 @@ std::uint64_t ClothMeasures<Real>::component_hash(const Real* values,
         }
         return sum;
     }
-    cloth_.layout.for_each([&](std::size_t p, std::size_t slot) {
+    const auto add = [&](std::size_t p, std::size_t slot) {
         sum += mix_bits(std::bit_cast<Bits<Real>>(values[slot]) + (6 * p + component) * apart);
-    });
+    };
+    if (!uses_twins()) {
+        const auto particles = mesh_.particles();
+        for (std::size_t slot = 0; slot < particles.size(); ++slot) add(particles[slot], slot);
+    } else {
+        cloth_.layout.for_each(add);
+    }
     return sum;
 }
 

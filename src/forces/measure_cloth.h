@@ -44,6 +44,7 @@ public:
     void normals(View x, std::span<Vec3f> out);
     /// x or v as it is.  @param out [particle].
     void copy(View x, std::span<Vec3d> out) const;
+    void copy(View x, std::span<Vec3f> out) const;  ///< rounded
 
     /// Of the bits of x and v by particle, however they stand in memory.
     [[nodiscard]] std::uint64_t state_hash(View x, View v) const;

@@ -55,6 +55,9 @@ struct GridMeasures {
     /// @param out [particle].
     void (*copy)(const GridMeasure<Real>& grid, View x, std::size_t begin, std::size_t end,
                  Vec3d* out) = nullptr;
+    /// The same, rounded to float.
+    void (*copy_rounded)(const GridMeasure<Real>& grid, View x, std::size_t begin, std::size_t end,
+                         Vec3f* out) = nullptr;
     /// The sum of mix_bits(bits of value n + key + n key_step), wrapping.
     std::uint64_t (*hash)(const Real* values, std::size_t count, std::uint64_t key,
                           std::uint64_t key_step) = nullptr;

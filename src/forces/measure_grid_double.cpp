@@ -32,6 +32,10 @@ void grid_copy_double(const GridMeasure<Real>& grid, View x, std::size_t begin, 
                       Vec3d* out) {
     measure_copy(grid, x, begin, end, out);
 }
+void grid_copy_rounded_double(const GridMeasure<Real>& grid, View x, std::size_t begin,
+                              std::size_t end, Vec3f* out) {
+    measure_copy_rounded(grid, x, begin, end, out);
+}
 std::uint64_t value_hash_double(const Real* values, std::size_t count, std::uint64_t key,
                                 std::uint64_t key_step) {
     return measure_hash(values, count, key, key_step);
@@ -48,7 +52,9 @@ namespace weft {
 GridMeasures<double> grid_measures_double(InstructionSet set) {
     return {WEFT_SIMD_FUNCTION(set, grid_strain_double),
             WEFT_SIMD_FUNCTION(set, grid_energy_double),
-            WEFT_SIMD_FUNCTION(set, grid_normals_double), WEFT_SIMD_FUNCTION(set, grid_copy_double),
+            WEFT_SIMD_FUNCTION(set, grid_normals_double),
+            WEFT_SIMD_FUNCTION(set, grid_copy_double),
+            WEFT_SIMD_FUNCTION(set, grid_copy_rounded_double),
             WEFT_SIMD_FUNCTION(set, value_hash_double)};
 }
 

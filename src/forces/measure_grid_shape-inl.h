@@ -62,8 +62,8 @@ HWY_INLINE Pack<D> load_left(D d, const RowOf<const Real>& row, std::size_t i) {
     if (i > 0) return load(d, row, i - 1);
     const Pack<D> own = load(d, row, 0);
     return {shift_in<1>(d, own.x, hn::Set(d, row.x[0])),
-            shift_in<1>(d, own.y, hn::Set(d, row.y[0])),
-            shift_in<1>(d, own.z, hn::Set(d, row.z[0]))};
+            shift_in<1>(d, own.y, hn::Set(d, row.x[row.step])),
+            shift_in<1>(d, own.z, hn::Set(d, row.x[2 * row.step]))};
 }
 
 // One column to the right; the last column is its own neighbour.
@@ -86,21 +86,16 @@ HWY_INLINE Pack<D> unit_or_zero(D d, const Pack<D>& n) {
     return times(inverse, n);
 }
 
-HWY_INLINE void store_normals(hn::ScalableTag<float> d, const Pack<hn::ScalableTag<float>>& n,
+HWY_INLINE void store_rounded(hn::ScalableTag<float> d, const Pack<hn::ScalableTag<float>>& n,
                               std::size_t count, Vec3f* out) {
     store_interleaved(d, n, count, &out->x);
 }
-HWY_INLINE void store_normals(hn::ScalableTag<double> d, const Pack<hn::ScalableTag<double>>& n,
+HWY_INLINE void store_rounded(hn::ScalableTag<double>, const Pack<hn::ScalableTag<double>>& n,
                               std::size_t count, Vec3f* out) {
     using F = hn::Rebind<float, hn::ScalableTag<double>>;
     const F f;
-    constexpr std::size_t most = hn::MaxLanes(hn::ScalableTag<double>());
-    HWY_ALIGN float x[most], y[most], z[most];
-    hn::Store(hn::DemoteTo(f, n.x), f, x);
-    hn::Store(hn::DemoteTo(f, n.y), f, y);
-    hn::Store(hn::DemoteTo(f, n.z), f, z);
-    const std::size_t lanes = count < hn::Lanes(d) ? count : hn::Lanes(d);
-    for (std::size_t k = 0; k < lanes; ++k) out[k] = {x[k], y[k], z[k]};
+    const Pack<F> rounded{hn::DemoteTo(f, n.x), hn::DemoteTo(f, n.y), hn::DemoteTo(f, n.z)};
+    store_interleaved(f, rounded, count, &out->x);
 }
 
 template <typename Real>
@@ -110,7 +105,7 @@ HWY_INLINE void measure_normals(const GridMeasure<Real>& grid, ConstVec3View<Rea
     const D d;
     const auto row = [&](std::size_t j) HWY_ATTR {
         const std::size_t first = j * grid.stride;
-        return RowOf<const Real>{x.x + first, x.y + first, x.z + first};
+        return RowOf<const Real>{x.x + first, x.y - x.x};
     };
     for (std::size_t j = begin; j < end; ++j) {
         const auto above = row(j > 0 ? j - 1 : 0), own = row(j);
@@ -122,7 +117,7 @@ HWY_INLINE void measure_normals(const GridMeasure<Real>& grid, ConstVec3View<Rea
                                        load_right(d, own, i, grid.columns),
                                        load_right(d, below, i, grid.columns),
                                        load(d, below, i)};
-            store_normals(d, unit_or_zero(d, around.twice_area()), grid.columns - i,
+            store_rounded(d, unit_or_zero(d, around.twice_area()), grid.columns - i,
                           out + j * grid.columns + i);
         }
     }
@@ -148,6 +143,19 @@ HWY_INLINE void measure_copy(const GridMeasure<Real>& grid, ConstVec3View<Real> 
             const std::size_t slot = j * grid.stride + i;
             store_interleaved(d, load_for_copy(d, x.x + slot, x.y + slot, x.z + slot),
                               grid.columns - i, &out[j * grid.columns + i].x);
+        }
+    }
+}
+
+template <typename Real>
+HWY_INLINE void measure_copy_rounded(const GridMeasure<Real>& grid, ConstVec3View<Real> x,
+                                     std::size_t begin, std::size_t end, Vec3f* out) {
+    const hn::ScalableTag<Real> d;
+    for (std::size_t j = begin; j < end; ++j) {
+        for (std::size_t i = 0; i < grid.columns; i += hn::Lanes(d)) {
+            const std::size_t slot = j * grid.stride + i;
+            store_rounded(d, load_pack(d, x.x + slot, x.y + slot, x.z + slot), grid.columns - i,
+                          out + j * grid.columns + i);
         }
     }
 }

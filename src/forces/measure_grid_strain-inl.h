@@ -25,7 +25,7 @@ HWY_INLINE RowOf<const Real> row_of(const GridMeasure<Real>& grid, ConstVec3View
                                     std::size_t j) {
     // Rows below the last have no springs to them.
     const std::size_t first = (j < grid.rows ? j : grid.rows - 1) * grid.stride;
-    return {view.x + first, view.y + first, view.z + first};
+    return {view.x + first, view.y - view.x};
 }
 
 // Calls spring(family, dx) for the springs that the vector of columns from i on owns; dx: to their
@@ -141,8 +141,9 @@ HWY_INLINE Pack<D> load_double(D d, const RowOf<const double>& row, std::size_t 
 template <class D>
 HWY_INLINE Pack<D> load_double(D d, const RowOf<const float>& row, std::size_t i) {
     const hn::Rebind<float, D> df;
-    return {hn::PromoteTo(d, hn::LoadU(df, row.x + i)), hn::PromoteTo(d, hn::LoadU(df, row.y + i)),
-            hn::PromoteTo(d, hn::LoadU(df, row.z + i))};
+    return {hn::PromoteTo(d, hn::LoadU(df, row.x + i)),
+            hn::PromoteTo(d, hn::LoadU(df, row.x + row.step + i)),
+            hn::PromoteTo(d, hn::LoadU(df, row.x + 2 * row.step + i))};
 }
 
 template <typename Real>

@@ -1,6 +1,7 @@
 #include "forces/measure_mesh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -10,7 +11,6 @@ namespace weft {
 
 namespace {
 
-constexpr std::size_t block_size = 512;  // springs
 // What is worth a thread of its own.
 constexpr std::size_t block_grain = 32;
 constexpr std::size_t particle_grain = 8192;
@@ -18,6 +18,18 @@ constexpr std::size_t particle_grain = 8192;
 template <typename Real>
 Vec3d along(ConstVec3View<Real> a, std::size_t slot_p, std::size_t slot_q) {
     return vec3_cast<double>(a[slot_q]) - vec3_cast<double>(a[slot_p]);
+}
+
+// The numbers below `count` by rising key(n) < keys; equal ones in their order.
+template <typename Key>
+std::vector<std::uint32_t> sorted(std::size_t count, std::size_t keys, const Key& key) {
+    std::vector<std::uint32_t> next(keys + 1, 0), order(count);
+    for (std::size_t n = 0; n < count; ++n) ++next[key(n) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (std::size_t n = 0; n < count; ++n) {
+        order[next[key(n)]++] = static_cast<std::uint32_t>(n);
+    }
+    return order;
 }
 
 }  // namespace
@@ -34,28 +46,24 @@ MeshMeasures<Real>::MeshMeasures(const ClothModel& cloth) : cloth_(cloth) {
 
 template <typename Real>
 void MeshMeasures<Real>::list_springs() {
-    springs_.reserve(cloth_.springs.size());
-    for (const Spring& spring : cloth_.springs) {
-        const double square = spring.rest_length * spring.rest_length;
-        const auto [low, high] = std::minmax(cloth_.slot(spring.p), cloth_.slot(spring.q));
-        springs_.push_back({static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(high),
-                            static_cast<Real>(1.0 / square),
-                            static_cast<std::uint32_t>(springs_.size())});
-    }
-    const auto kind_of = [&](const MeasuredSpring& spring) {
-        return cloth_.springs[spring.number].kind;
-    };
-    std::sort(springs_.begin(), springs_.end(),
-              [&](const MeasuredSpring& a, const MeasuredSpring& b) {
-                  if (kind_of(a) != kind_of(b)) return kind_of(a) < kind_of(b);
-                  if (a.p != b.p) return a.p < b.p;
-                  return a.q != b.q ? a.q < b.q : a.number < b.number;
-              });
-    for (std::size_t begin = 0, end = 0; begin < springs_.size(); begin = end) {
-        const SpringKind kind = kind_of(springs_[begin]);
-        while (end < springs_.size() && end - begin < block_size && kind_of(springs_[end]) == kind)
-            ++end;
-        blocks_.push_back({begin, end, kind});
+    const std::vector<std::uint32_t> order =
+        sorted(cloth_.springs.size(), particles_.size(), [&](std::size_t n) {
+            const Spring& spring = cloth_.springs[n];
+            return std::min(cloth_.slot(spring.p), cloth_.slot(spring.q));
+        });
+    reaches_.reserve(order.size());
+    stores_.reserve(order.size());
+    kinds_.reserve(order.size());
+    const bool per_width = cloth_.stiffness_per == StiffnessPer::width;
+    for (const std::uint32_t n : order) {
+        const Spring& spring = cloth_.springs[n];
+        const double length = spring.rest_length;
+        const double stiffness = cloth_.materials[static_cast<std::size_t>(spring.kind)].stiffness;
+        reaches_.push_back({static_cast<std::uint32_t>(cloth_.slot(spring.p)),
+                            static_cast<std::uint32_t>(cloth_.slot(spring.q)),
+                            static_cast<Real>(1.0 / (length * length))});
+        stores_.push_back({length, 0.5 * stiffness * (per_width ? spring.width_factor : 1.0)});
+        kinds_.push_back(spring.kind);
     }
 }
 
@@ -64,49 +72,51 @@ template <typename Real>
 void MeshMeasures<Real>::list_triangles() {
     const Surface& surface = cloth_.surface;
     const std::size_t count = surface.triangles.size();
-    std::vector<std::array<std::uint32_t, 3>> slots(count);
-    for (std::size_t t = 0; t < count; ++t) {
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const std::uint32_t particle = surface.particle(surface.triangles[t][corner]);
-            slots[t][corner] = static_cast<std::uint32_t>(cloth_.slot(particle));
+    const auto slots = [&](std::size_t t) {
+        std::array<std::uint32_t, 3> corners{};
+        for (std::size_t n = 0; n < 3; ++n) {
+            const std::size_t particle = surface.particle(surface.triangles[t][n]);
+            corners[n] = static_cast<std::uint32_t>(cloth_.slot(particle));
         }
-    }
-    std::vector<std::uint32_t> order(count), place(count);
-    std::iota(order.begin(), order.end(), 0U);
-    const auto lowest = [&](std::uint32_t t) { return *std::ranges::min_element(slots[t]); };
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return lowest(a) != lowest(b) ? lowest(a) < lowest(b) : a < b;
-    });
+        return corners;
+    };
+    const std::vector<std::uint32_t> order =
+        sorted(count, particles_.size(), [&](std::size_t t) -> std::size_t {
+            const auto corners = slots(t);
+            return std::min({corners[0], corners[1], corners[2]});
+        });
+    std::vector<std::uint32_t> place(count);
+    triangles_.reserve(count);
+    first_around_.assign(particles_.size() + 1, 0);
     for (const std::uint32_t t : order) {
         place[t] = static_cast<std::uint32_t>(triangles_.size());
-        triangles_.push_back(slots[t]);
-    }
-    first_around_.assign(particles_.size() + 1, 0);
-    for (const auto& triangle : slots) {
-        for (const std::uint32_t slot : triangle) ++first_around_[slot + 1];
+        triangles_.push_back(slots(t));
+        for (const std::uint32_t slot : triangles_.back()) ++first_around_[slot + 1];
     }
     std::partial_sum(first_around_.begin(), first_around_.end(), first_around_.begin());
     around_.resize(first_around_.back());
     std::vector<std::uint32_t> next(first_around_.begin(), first_around_.end() - 1);
     for (std::size_t t = 0; t < count; ++t) {
-        for (const std::uint32_t slot : slots[t]) around_[next[slot]++] = place[t];
+        for (const std::uint32_t slot : triangles_[place[t]]) around_[next[slot]++] = place[t];
     }
     twice_areas_.resize(count);
 }
 
+// Numbers that are not negative compare as their bits do, in fewer cycles; NaN is beyond all.
 template <typename Real>
 void MeshMeasures<Real>::strain(View x, std::span<RatioRange<Real>> out) const {
-    parallel_for(blocks_.size(), block_grain, [&](std::size_t begin, std::size_t end) {
+    using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+    parallel_for(block_count(), block_grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
-            Real smallest = 1, largest = 1;
-            for (std::size_t n = blocks_[b].begin; n < blocks_[b].end; ++n) {
-                const MeasuredSpring& spring = springs_[n];
+            Bits smallest = std::bit_cast<Bits>(Real{1}), largest = smallest;
+            for (std::size_t n = b * block_size; n < end_of(b); ++n) {
+                const Reach& spring = reaches_[n];
                 const Vec3<Real> d = x[spring.q] - x[spring.p];
-                const Real ratio = dot(d, d) * spring.inverse_square;
-                smallest = ratio < smallest ? ratio : smallest;
-                largest = ratio > largest ? ratio : largest;
+                const auto ratio = std::bit_cast<Bits>(dot(d, d) * spring.inverse_square);
+                smallest = std::min(smallest, ratio);
+                largest = std::max(largest, ratio);
             }
-            out[b] = {smallest, largest};
+            out[b] = {std::bit_cast<Real>(smallest), std::bit_cast<Real>(largest)};
         }
     });
 }
@@ -114,45 +124,31 @@ void MeshMeasures<Real>::strain(View x, std::span<RatioRange<Real>> out) const {
 template <typename Real>
 SpringStrain MeshMeasures<Real>::largest_strain(View x, std::size_t block) const {
     SpringStrain largest;
-    std::size_t number = springs_.size();
-    for (std::size_t n = blocks_[block].begin; n < blocks_[block].end; ++n) {
-        const MeasuredSpring& measured = springs_[n];
-        const Spring& spring = cloth_.springs[measured.number];
-        const Vec3d d = along(x, cloth_.slot(spring.p), cloth_.slot(spring.q));
-        const double strain = length(d) / spring.rest_length - 1.0;
-        const double difference = std::abs(strain) - std::abs(largest.strain);
-        // Of equal ones the first, as in the twin.
-        if (difference < 0 || (difference == 0 && measured.number > number)) continue;
-        number = measured.number;
-        largest = {strain, spring.p, spring.q,
-                   spring_kind_names[static_cast<std::size_t>(spring.kind)]};
+    for (std::size_t n = block * block_size; n < end_of(block); ++n) {
+        const auto [p, q, inverse_square] = reaches_[n];
+        const double strain = length(along(x, p, q)) / stores_[n].rest_length - 1.0;
+        if (std::abs(strain) <= std::abs(largest.strain)) continue;
+        const auto [first, second] = std::minmax({particles_[p], particles_[q]});
+        largest = {strain, first, second, spring_kind_names[static_cast<std::size_t>(kinds_[n])]};
     }
     return largest;
 }
 
 template <typename Real>
-double MeshMeasures<Real>::stored(View x, const MeasuredSpring& measured) const {
-    const Spring& spring = cloth_.springs[measured.number];
-    const double factor = cloth_.stiffness_per == StiffnessPer::width ? spring.width_factor : 1.0;
-    const double stretch = length(along(x, measured.p, measured.q)) - spring.rest_length;
-    return factor * stretch * stretch;
+Energy MeshMeasures<Real>::energy_of_block(View x, std::size_t block) const {
+    std::array<double, 3> sums{};  // by kind
+    for (std::size_t n = block * block_size; n < end_of(block); ++n) {
+        const double stretch =
+            length(along(x, reaches_[n].p, reaches_[n].q)) - stores_[n].rest_length;
+        sums[static_cast<std::size_t>(kinds_[n])] += stores_[n].stiffness * stretch * stretch;
+    }
+    return {0.0, 0.0, sums[0], sums[1], sums[2]};
 }
 
 template <typename Real>
 void MeshMeasures<Real>::energy(View x, std::span<Energy> out) const {
-    parallel_for(blocks_.size(), block_grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t b = begin; b < end; ++b) {
-            double sum = 0.0;
-            for (std::size_t n = blocks_[b].begin; n < blocks_[b].end; ++n) {
-                sum += stored(x, springs_[n]);
-            }
-            const SpringKind kind = blocks_[b].kind;
-            sum *= 0.5 * cloth_.materials[static_cast<std::size_t>(kind)].stiffness;
-            out[b] = {};
-            (kind == SpringKind::structural ? out[b].structural
-             : kind == SpringKind::shear    ? out[b].shear
-                                            : out[b].bend) = sum;
-        }
+    parallel_for(block_count(), block_grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) out[b] = energy_of_block(x, b);
     });
 }
 
@@ -179,12 +175,23 @@ void MeshMeasures<Real>::normals(View x, std::span<Vec3f> out) {
 }
 
 template <typename Real>
-void MeshMeasures<Real>::copy(View x, std::span<Vec3d> out) const {
+template <typename To>
+void MeshMeasures<Real>::copy_as(View x, std::span<Vec3<To>> out) const {
     parallel_for(particles_.size(), particle_grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t slot = begin; slot < end; ++slot) {
-            out[particles_[slot]] = vec3_cast<double>(x[slot]);
+            out[particles_[slot]] = vec3_cast<To>(x[slot]);
         }
     });
+}
+
+template <typename Real>
+void MeshMeasures<Real>::copy(View x, std::span<Vec3d> out) const {
+    copy_as(x, out);
+}
+
+template <typename Real>
+void MeshMeasures<Real>::copy(View x, std::span<Vec3f> out) const {
+    copy_as(x, out);
 }
 
 template class MeshMeasures<float>;

@@ -7,6 +7,7 @@
 
 #include "cloth/cloth_model.h"
 #include "forces/mesh_pass.h"
+#include "forces/mesh_pass_schedule.h"
 #include "forces/mesh_pass_tables.h"
 #include "math/vec3_array.h"
 
@@ -33,14 +34,17 @@ public:
     void kick_drift(Vec3<Real> wind, double kick, double drift, Vec3View<Real> x, Vec3View<Real> v);
 
 private:
+    void set_constants(const ClothModel& cloth, const ForcesDescription& forces,
+                       const std::optional<WindDescription>& wind);
     void set_tables();
     void run(Vec3<Real> wind, Vec3View<Real> x, Vec3View<Real> v);
-    void run_part(MeshPassFunction<Real> function, std::size_t vectors);
+    void run_part(MeshPassFunction<Real> function, std::size_t begin, std::size_t end) const;
 
     MeshPassFunctions<Real> functions_;
     std::size_t lanes_ = 0, parts_ = 1;
     MeshSpringTables<Real> springs_;
     MeshTriangleTables triangles_;
+    MeshSchedule schedule_;
     LineAligned<Real> rows_, thirds_, inverse_masses_;
     MeshPass<Real> pass_;
 };

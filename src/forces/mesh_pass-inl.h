@@ -7,10 +7,12 @@
 #define WEFT_FORCES_MESH_PASS_INL_H
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "forces/mesh_pass.h"
 #include "forces/mesh_pass_rows-inl.h"
+#include "math/pack-inl.h"
 #include "math/simd-inl.h"
 
 #if WEFT_SIMD_TARGET
@@ -18,38 +20,10 @@ HWY_BEFORE_NAMESPACE();
 namespace weft {
 namespace HWY_NAMESPACE {
 
-template <class D>
-HWY_INLINE Pack<D> minus(const Pack<D>& a, const Pack<D>& b) {
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-template <class D>
-HWY_INLINE Pack<D> plus(const Pack<D>& a, const Pack<D>& b) {
-    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-template <class D>
-HWY_INLINE Pack<D> times(const hn::Vec<D>& s, const Pack<D>& a) {
-    return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
-}
-// a + s b
-template <class D>
-HWY_INLINE Pack<D> plus_scaled(const Pack<D>& a, const hn::Vec<D>& s, const Pack<D>& b) {
-    return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
-}
 // a - s b
 template <class D>
 HWY_INLINE Pack<D> minus_scaled(const Pack<D>& a, const hn::Vec<D>& s, const Pack<D>& b) {
     return {hn::NegMulAdd(s, b.x, a.x), hn::NegMulAdd(s, b.y, a.y), hn::NegMulAdd(s, b.z, a.z)};
-}
-template <class D>
-HWY_INLINE hn::Vec<D> dot(const Pack<D>& a, const Pack<D>& b) {
-    return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
-}
-// a.a, and a little more than zero
-template <class D>
-HWY_INLINE hn::Vec<D> square(D d, const Pack<D>& a) {
-    using T = hn::TFromD<D>;
-    return hn::MulAdd(a.z, a.z,
-                      hn::MulAdd(a.y, a.y, hn::MulAdd(a.x, a.x, hn::Set(d, least_square<T>))));
 }
 template <class D>
 HWY_INLINE Pack<D> cross(const Pack<D>& a, const Pack<D>& b) {
@@ -61,12 +35,20 @@ HWY_INLINE Pack<D> set(D d, const Vec3<T>& a) {
     return {hn::Set(d, a.x), hn::Set(d, a.y), hn::Set(d, a.z)};
 }
 
+// How far ahead tables and states are asked for, in numbers: more streams are read at once than the
+// processor itself foresees, which took half as long again of a mesh larger than the caches.
+inline constexpr std::size_t table_ahead = 2048, state_ahead = 256;
+
 template <typename T>
 HWY_INLINE void copy_rows(const MeshPass<T>& pass, std::size_t begin, std::size_t end) {
     constexpr int size = MeshPass<T>::row_size;
     const hn::ScalableTag<T> d;
     for (std::size_t s = begin * hn::Lanes(d); s < end * hn::Lanes(d); s += hn::Lanes(d)) {
-        T* const row = pass.rows + size * s;
+        for (std::size_t c = 0; c < 3; ++c) {
+            hwy::Prefetch(pass.x[c] + s + state_ahead);
+            hwy::Prefetch(pass.v[c] + s + state_ahead);
+        }
+        T* const row = pass.rows + size * (s & pass.row_mask);
         store_rows<size>(d, load_pack(d, pass.x[0] + s, pass.x[1] + s, pass.x[2] + s), row);
         store_rows<size>(d, load_pack(d, pass.v[0] + s, pass.v[1] + s, pass.v[2] + s), row + 4);
     }
@@ -86,11 +68,11 @@ HWY_INLINE Pack<D> plate_third(D d, const MeshPass<T>& pass, const Pack<D>& norm
     const auto v_t = minus_scaled(relative, hn::Mul(v_n, inverse_area), normal);
     const auto slip_squared = square(d, v_t);
     const auto slip = hn::Mul(slip_squared, inverse_root(d, slip_squared));
-    const auto resistance = hn::MulAdd(hn::Set(d, T(0.222)), hn::Abs(v_n),
-                                       hn::Mul(hn::Set(d, T(0.283)), speed));
-    const auto across = hn::Div(hn::Mul(hn::Set(d, T(1.0 / 3.0) * pass.air_constants.normal),
-                                        hn::Mul(speed_squared, v_n)),
-                                resistance);
+    const auto resistance =
+        hn::MulAdd(hn::Set(d, T(0.222)), hn::Abs(v_n), hn::Mul(hn::Set(d, T(0.283)), speed));
+    const auto across = hn::Div(
+        hn::Mul(hn::Set(d, T(1.0 / 3.0) * pass.air_constants.normal), hn::Mul(speed_squared, v_n)),
+        resistance);
     const auto along =
         hn::Mul(hn::Mul(hn::Set(d, T(1.0 / 3.0) * pass.air_constants.tangential), slip),
                 hn::Mul(normal_squared, inverse_area));
@@ -104,12 +86,13 @@ HWY_INLINE void find_thirds(const MeshPass<T>& pass, std::size_t begin, std::siz
     const std::size_t lanes = hn::Lanes(d);
     for (std::size_t n = begin; n < end; ++n) {
         const std::uint32_t* const corners = pass.corners + 3 * n * lanes;
+        for (std::size_t k = 0; k < 3; ++k) hwy::Prefetch(corners + k * lanes + table_ahead);
         const auto a = gather_moving(d, pass.rows, corners);
         const auto b = gather_moving(d, pass.rows, corners + lanes);
         const auto c = gather_moving(d, pass.rows, corners + 2 * lanes);
         const auto normal = cross(minus(b.x, a.x), minus(c.x, a.x));
         const auto third = plate_third(d, pass, normal, plus(a.v, plus(b.v, c.v)));
-        store_rows<size>(d, third, pass.thirds + size * n * lanes);
+        store_rows<size>(d, third, pass.thirds + size * (n * lanes & pass.third_mask));
     }
 }
 
@@ -130,7 +113,7 @@ public:
 
     HWY_INLINE void sum_and_move() {
         const D d;
-        P force{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+        P force = zero_pack(d);
         const std::uint32_t* const starts = pass_.spring_starts + slice_ * spring_kind_count;
         for (std::size_t kind = 0; kind < spring_kind_count; ++kind) {
             const MeshSpringConstants<T>& constants = pass_.springs[kind];
@@ -173,8 +156,11 @@ private:
         P sum = force;
         for (std::size_t n = begin * lanes; n < end * lanes; n += lanes) {
             P dx;
+            hwy::Prefetch(pass_.neighbours + n + table_ahead);
+            hwy::Prefetch(pass_.tensions + n + table_ahead);
             V k = stiffness, c = damping;
             if constexpr (weighted) {
+                hwy::Prefetch(pass_.widths + n + table_ahead);
                 const V width = hn::Load(d, pass_.widths + n);
                 k = hn::Mul(width, k);
                 if constexpr (damped) c = hn::Mul(width, c);
@@ -201,10 +187,11 @@ private:
         const D d;
         const std::size_t lanes = hn::Lanes(d);
         P sum = force;
-        for (std::size_t n = pass_.triangle_starts[slice_]; n < pass_.triangle_starts[slice_ + 1];
-             ++n) {
-            sum = plus(sum, gather_rows(d, pass_.thirds,
-                                                                  pass_.triangles + n * lanes));
+        const std::size_t end = pass_.triangle_starts[slice_ + 1];
+        for (std::size_t n = pass_.triangle_starts[slice_]; n < end; ++n) {
+            const std::uint32_t* const triangles = pass_.triangles + n * lanes;
+            hwy::Prefetch(triangles + table_ahead);
+            sum = plus(sum, gather_rows(d, pass_.thirds, triangles));
         }
         force = sum;
     }

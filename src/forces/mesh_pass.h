@@ -5,10 +5,12 @@
 // the n-th neighbour of every lane in the n-th vector (sliced ELLPACK), so a lane sums its own
 // particle's springs in the order of its table and nothing is written twice.
 //
-// A neighbour is read as one row {x, y, z, 0, vx, vy, vz, 0}, of which no two cache lines hold
-// parts (in float four, in double one such row fills half a line or a whole one), and a vector of
-// neighbours is transposed in registers: gather instructions take several times as long. The rows
-// are a copy of the state, refreshed before every pass: so a pass may move particles in place.
+// A neighbour is read as one row {x, y, z, 0, vx, vy, vz, 0}, half a cache line in float and one in
+// double, and a vector of neighbours is transposed in registers: gather instructions take several
+// times as long. The rows are a copy of the state, made before its particles move, so a pass may
+// move them in place. Neighbours stand near each other (cloth/mesh_order.h): on one thread the copy
+// runs just ahead of the sums, and the rows are a ring that stays in the second-level cache. So do
+// the forces on triangles.
 #pragma once
 
 #include <array>
@@ -43,23 +45,23 @@ struct MeshPass {
     static constexpr std::size_t row_size = 8;    ///< of a particle in `rows`
     static constexpr std::size_t third_size = 4;  ///< of a triangle in `thirds`
 
-    std::size_t slices = 0;
-    Real* rows = nullptr;  ///< [slot][row_size], whole slices
+    Real* rows = nullptr;      ///< [slot & row_mask][row_size]
+    std::size_t row_mask = 0;  ///< whole slices
 
     std::array<MeshSpringConstants<Real>, spring_kind_count> springs{};  ///< by SpringKind
     /// [slices * spring_kind_count + 1], where a slice's springs of a kind begin [vector].
     const std::uint32_t* spring_starts = nullptr;
-    const std::uint32_t* neighbours = nullptr;  ///< [vector][lane], slots; padding: the lane's own
+    const std::uint32_t* neighbours = nullptr;  ///< [vector][lane], places in rows; padding: own
     const Real* tensions = nullptr;             ///< [vector][lane], k L / root_scale [N]
     const Real* widths = nullptr;  ///< [vector][lane], factor of k and c; nullptr: all are 1
 
     bool air = false;
     AirConstants<Real> air_constants{};
-    std::size_t triangle_vectors = 0;
-    const std::uint32_t* corners = nullptr;         ///< [vector][corner][lane], slots
-    Real* thirds = nullptr;                         ///< [triangle][third_size], [N]
+    const std::uint32_t* corners = nullptr;  ///< [vector][corner][lane], places in rows
+    Real* thirds = nullptr;                  ///< [triangle & third_mask][third_size], [N]
+    std::size_t third_mask = 0;              ///< whole vectors; behind them one third of zero
     const std::uint32_t* triangle_starts = nullptr;  ///< [slices + 1], where sums begin [vector]
-    const std::uint32_t* triangles = nullptr;  ///< [vector][lane]; padding: one without force
+    const std::uint32_t* triangles = nullptr;        ///< [vector][lane], places in thirds
 
     const Real* inverse_masses = nullptr;  ///< [slot], whole slices; 0: pinned, or padding
     Real drag = 0;                         ///< [kg/s]
@@ -84,11 +86,12 @@ constexpr std::size_t mesh_lanes(InstructionSet set) {
 template <typename Real>
 using MeshPassFunction = void (*)(const MeshPass<Real>&, std::size_t begin, std::size_t end);
 
-/// The parts of a pass, in order; each ends everywhere before the next begins.
+/// The parts of a pass. A slice is copied before a triangle or a neighbour reads it, and moved
+/// after all have; a triangle is found before a slice sums it.
 template <typename Real>
 struct MeshPassFunctions {
-    MeshPassFunction<Real> copy_rows = nullptr;   ///< of slices
-    MeshPassFunction<Real> find_thirds = nullptr;  ///< of vectors of triangles; only with air
+    MeshPassFunction<Real> copy_rows = nullptr;     ///< of slices
+    MeshPassFunction<Real> find_thirds = nullptr;   ///< of vectors of triangles; only with air
     MeshPassFunction<Real> sum_and_move = nullptr;  ///< of slices
 };
 

@@ -31,8 +31,7 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 MeshPassFunctions<double> mesh_pass_double(InstructionSet set) {
-    return {WEFT_SIMD_FUNCTION(set, copy_rows_double),
-            WEFT_SIMD_FUNCTION(set, find_thirds_double),
+    return {WEFT_SIMD_FUNCTION(set, copy_rows_double), WEFT_SIMD_FUNCTION(set, find_thirds_double),
             WEFT_SIMD_FUNCTION(set, sum_and_move_double)};
 }
 

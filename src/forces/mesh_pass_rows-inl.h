@@ -147,9 +147,7 @@ HWY_INLINE Moving<D> gather_moving(D d, const float* HWY_RESTRICT rows,
 template <class D>
 HWY_INLINE Moving<D> gather_moving(D d, const double* HWY_RESTRICT rows,
                                    const std::uint32_t* HWY_RESTRICT places) {
-    const auto r = [&](int lane) HWY_ATTR {
-        return hn::Load(d, rows + places[lane]);
-    };
+    const auto r = [&](int lane) HWY_ATTR { return hn::Load(d, rows + places[lane]); };
     const auto r0 = r(0), r1 = r(1), r2 = r(2), r3 = r(3);
     const auto r4 = r(4), r5 = r(5), r6 = r(6), r7 = r(7);
     // Pairs of lanes a block: {x, z, vx, vz}, and {y, -, vy, -}.

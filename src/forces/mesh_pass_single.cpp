@@ -31,8 +31,7 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 MeshPassFunctions<float> mesh_pass_single(InstructionSet set) {
-    return {WEFT_SIMD_FUNCTION(set, copy_rows_single),
-            WEFT_SIMD_FUNCTION(set, find_thirds_single),
+    return {WEFT_SIMD_FUNCTION(set, copy_rows_single), WEFT_SIMD_FUNCTION(set, find_thirds_single),
             WEFT_SIMD_FUNCTION(set, sum_and_move_single)};
 }
 

@@ -10,15 +10,11 @@ namespace weft {
 
 namespace {
 
-// Where a slot's row stands among the rows.
-std::uint32_t place_of(std::size_t slot) {
-    return static_cast<std::uint32_t>(MeshPass<float>::row_size * slot);
-}
-
 // Lists of items one after the other: first counted, then filled.
 template <typename Item>
 struct Lists {
-    std::vector<std::uint32_t> first;  // [list + 1]; while filling, where each list's next item goes
+    std::vector<std::uint32_t>
+        first;  // [list + 1]; while filling, where each list's next item goes
     std::vector<Item> items;
 
     explicit Lists(std::size_t count) : first(count + 1, 0) {}
@@ -87,31 +83,30 @@ struct Neighbour {
 // Calls visit(slot, other slot, kind, spring, constants) for both ends of every spring with force.
 template <typename Visit>
 void for_each_end(const ClothModel& cloth, const Visit& visit) {
-    cloth.for_each_spring_with_slots([&](const Spring& spring, const SpringConstants& constants,
-                                         std::size_t p, std::size_t q) {
-        if (constants.stiffness == 0.0 && constants.damping == 0.0) return;
-        const auto kind = static_cast<std::size_t>(spring.kind);
-        visit(p, q, kind, spring, constants);
-        visit(q, p, kind, spring, constants);
-    });
+    cloth.for_each_spring_with_slots(
+        [&](const Spring& spring, const SpringConstants& constants, std::size_t p, std::size_t q) {
+            if (constants.stiffness == 0.0 && constants.damping == 0.0) return;
+            const auto kind = static_cast<std::size_t>(spring.kind);
+            visit(p, q, kind, spring, constants);
+            visit(q, p, kind, spring, constants);
+        });
 }
 
 // Every slot's neighbours, a list for each kind of spring, by rising slot.
 template <typename Real>
 Lists<Neighbour<Real>> neighbour_lists(const ClothModel& cloth) {
     Lists<Neighbour<Real>> lists(cloth.layout.slot_count() * spring_kind_count);
-    for_each_end(cloth, [&](std::size_t p, std::size_t, std::size_t kind, const Spring&,
-                            const SpringConstants&) {
-        lists.count_one(p * spring_kind_count + kind);
-    });
+    for_each_end(cloth,
+                 [&](std::size_t p, std::size_t, std::size_t kind, const Spring&,
+                     const SpringConstants&) { lists.count_one(p * spring_kind_count + kind); });
     lists.begin_filling();
     for_each_end(cloth, [&](std::size_t p, std::size_t q, std::size_t kind, const Spring& spring,
                             const SpringConstants& constants) {
-        lists.add(p * spring_kind_count + kind,
-                  {static_cast<std::uint32_t>(q),
-                   static_cast<Real>(constants.stiffness * spring.rest_length /
-                                     double{root_scale<Real>}),
-                   static_cast<Real>(spring.width_factor)});
+        lists.add(
+            p * spring_kind_count + kind,
+            {static_cast<std::uint32_t>(q),
+             static_cast<Real>(constants.stiffness * spring.rest_length / double{root_scale<Real>}),
+             static_cast<Real>(spring.width_factor)});
     });
     lists.end_filling();
     for (std::size_t list = 0; list + 1 < lists.first.size(); ++list) {
@@ -156,7 +151,8 @@ MeshSpringTables<Real>::MeshSpringTables(const ClothModel& cloth, std::size_t la
     for_each_place(lists, spring_kind_count, slots, lanes, neighbours.starts,
                    [&](std::size_t place, std::size_t slot, const Neighbour<Real>* item) {
                        // A spring from a particle to itself has no force.
-                       neighbours.items[place] = place_of(item != nullptr ? item->slot : slot);
+                       neighbours.items[place] =
+                           item != nullptr ? item->slot : static_cast<std::uint32_t>(slot);
                        if (item == nullptr) return;
                        tensions[place] = item->tension;
                        if (weighted) widths[place] = item->width;
@@ -165,28 +161,28 @@ MeshSpringTables<Real>::MeshSpringTables(const ClothModel& cloth, std::size_t la
 
 MeshTriangleTables::MeshTriangleTables(const ClothModel& cloth, std::size_t lanes) {
     const std::vector<std::array<std::uint32_t, 3>> sorted = sorted_triangles(cloth);
-    vectors = sorted.size() / lanes + 1;
-    corners = LineAligned<std::uint32_t>(vectors * 3 * lanes);
+    const std::size_t padded = (sorted.size() + lanes - 1) / lanes * lanes;
+    corners = LineAligned<std::uint32_t>(3 * padded);
     const std::size_t slots = cloth.layout.slot_count();
     Lists<std::uint32_t> lists(slots);
     for (const auto& triangle : sorted) {
         for (const std::uint32_t s : triangle) lists.count_one(s);
     }
     lists.begin_filling();
-    for (std::size_t t = 0; t < sorted.size(); ++t) {
+    for (std::size_t t = 0; t < padded; ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
-            corners[(t / lanes * 3 + k) * lanes + t % lanes] = place_of(sorted[t][k]);
-            lists.add(sorted[t][k], static_cast<std::uint32_t>(t));
+            const bool real = t < sorted.size();
+            const std::uint32_t slot = real ? sorted[t][k] : sorted.back()[0];
+            corners[(t / lanes * 3 + k) * lanes + t % lanes] = slot;
+            if (real) lists.add(slot, static_cast<std::uint32_t>(t));
         }
     }
     lists.end_filling();
     triangles.starts = starts_of(lists, 1, slots, lanes);
     triangles.items = LineAligned<std::uint32_t>(triangles.starts.back() * lanes);
-    const auto without_force = static_cast<std::uint32_t>(sorted.size());
     for_each_place(lists, 1, slots, lanes, triangles.starts,
                    [&](std::size_t place, std::size_t, const std::uint32_t* item) {
-                       triangles.items[place] =
-                           MeshPass<float>::third_size * (item != nullptr ? *item : without_force);
+                       triangles.items[place] = item != nullptr ? *item : none;
                    });
 }
 

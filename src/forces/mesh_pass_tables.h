@@ -1,11 +1,11 @@
 // The tables that a mesh's pass reads, built once from the cloth.
 #pragma once
 
-#include <hwy/aligned_allocator.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <new>
 #include <vector>
 
 #include "cloth/cloth_model.h"
@@ -19,17 +19,23 @@ class LineAligned {
 public:
     LineAligned() = default;
     explicit LineAligned(std::size_t size)
-        : size_(size), data_(hwy::AllocateAligned<T>(std::max<std::size_t>(size, 1))) {
+        : size_(size), data_(static_cast<T*>(::operator new[](size * sizeof(T), alignment))) {
         std::fill_n(data_.get(), size, T{0});
     }
+
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] T* data() { return data_.get(); }
     [[nodiscard]] const T* data() const { return data_.get(); }
     T& operator[](std::size_t i) { return data_[i]; }
 
 private:
+    static constexpr std::align_val_t alignment{64};
+    struct Free {
+        void operator()(T* data) const { ::operator delete[](data, alignment); }
+    };
+
     std::size_t size_ = 0;
-    hwy::AlignedFreeUniquePtr<T[]> data_;
+    std::unique_ptr<T[], Free> data_;
 };
 
 /// Lists of what every slot has, as vectors: the n-th of each lane's list stands in the list's n-th
@@ -50,11 +56,12 @@ struct MeshSpringTables {
     MeshSpringTables(const ClothModel& cloth, std::size_t lanes);
 };
 
-/// The triangles of a mesh, those of the same lowest slot together, and every slot's list of them.
+/// The triangles of a mesh by rising lowest slot, and every slot's list of them.
 struct MeshTriangleTables {
-    std::size_t vectors = 0;              ///< of triangles, the last with at least one of no force
-    LineAligned<std::uint32_t> corners;   ///< [vector][corner][lane], slots; padding: all alike
-    SlicedLists triangles;                ///< one list a slice
+    static constexpr std::uint32_t none = 0xffffffff;  ///< padding in lists
+
+    LineAligned<std::uint32_t> corners;  ///< [vector][corner][lane], slots; padding: all alike
+    SlicedLists triangles;               ///< one list a slice
 
     MeshTriangleTables() = default;
     MeshTriangleTables(const ClothModel& cloth, std::size_t lanes);

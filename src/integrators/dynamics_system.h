@@ -25,6 +25,7 @@ public:
     virtual ~VerletPass() = default;
 
     /// From t to t + h, pins included.
+    /// @pre pinned particles are where constrain() puts them at t.
     /// @param a the acceleration at t; becomes that at t + h.
     virtual void verlet(double t, double h, Vec3View<Real> x, Vec3View<Real> v,
                         Vec3View<Real> a) = 0;

@@ -26,19 +26,28 @@ using BitsOf = std::conditional_t<
     std::conditional_t<sizeof(T) == 4, std::uint32_t,
                        std::conditional_t<sizeof(T) == 2, std::uint16_t, std::uint8_t>>>;
 
-/// Appends `value`; `order` is that of the file.
+/// Writes `value` to `bytes`; `order` is that of the file.
+template <std::endian order, typename T>
+    requires std::is_arithmetic_v<T>
+void put(std::byte* bytes, T value) {
+    if constexpr (order == std::endian::native) {
+        std::memcpy(bytes, &value, sizeof(T));
+    } else {
+        const auto bits = std::bit_cast<BitsOf<T>>(value);
+        for (std::size_t i = 0; i < sizeof(T); ++i) {
+            const std::size_t place = order == std::endian::little ? i : sizeof(T) - 1 - i;
+            bytes[i] = static_cast<std::byte>((bits >> (8 * place)) & 0xff);
+        }
+    }
+}
+
+/// Appends `value`.
 template <std::endian order, typename T>
     requires std::is_arithmetic_v<T>
 void append(Bytes& bytes, T value) {
-    const auto bits = std::bit_cast<BitsOf<T>>(value);
-    std::array<std::byte, sizeof(T)> raw;
-    for (std::size_t i = 0; i < sizeof(T); ++i) {
-        const std::size_t place = order == std::endian::little ? i : sizeof(T) - 1 - i;
-        raw[i] = static_cast<std::byte>((bits >> (8 * place)) & 0xff);
-    }
     const std::size_t end = bytes.size();
     bytes.resize(end + sizeof(T));
-    std::memcpy(bytes.data() + end, raw.data(), sizeof(T));
+    put<order>(bytes.data() + end, value);
 }
 
 template <typename T>
@@ -49,17 +58,6 @@ void append_little(Bytes& bytes, T value) {
 template <typename T>
 void append_big(Bytes& bytes, T value) {
     append<std::endian::big>(bytes, value);
-}
-
-/// Appends points as three floats each.
-template <std::endian order>
-void append_points(Bytes& bytes, std::span<const Vec3d> points) {
-    bytes.reserve(bytes.size() + 12 * points.size());
-    for (const Vec3d& point : points) {
-        append<order>(bytes, static_cast<float>(point.x));
-        append<order>(bytes, static_cast<float>(point.y));
-        append<order>(bytes, static_cast<float>(point.z));
-    }
 }
 
 inline void append_text(Bytes& bytes, std::string_view text) {

@@ -22,7 +22,11 @@ void CacheCompanions::write_mesh(const Frame& first) {
         "# Frame 0 of a cloth recording; point caches beside it move its vertices.\n"
         "# frames_per_second {}\n",
         plan_.frames_per_second);
-    write_obj(mesh_, comment, *plan_.surface, first.positions, {});
+    std::vector<Vec3d> positions(first.positions.begin(), first.positions.end());
+    for (const Vec3f& position : first.rounded_positions) {
+        if (first.positions.empty()) positions.push_back(vec3_cast<double>(position));
+    }
+    write_obj(mesh_, comment, *plan_.surface, positions, {});
 }
 
 void CacheCompanions::close(const std::string& cache, std::size_t frames) {

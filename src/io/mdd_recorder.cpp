@@ -36,9 +36,7 @@ void MddRecorder::frame(const Frame& frame) {
     if (times_.size() == planned_)
         throw file_error(cache_->path().string(), "more frames came than were planned");
     if (times_.empty()) companions_->write_mesh(frame);
-    Bytes points;
-    append_points<std::endian::big>(points, frame.positions);
-    cache_->write(points);
+    points_.write_positions(*cache_, frame);
     times_.push_back(static_cast<float>(frame.time));
 }
 

@@ -5,6 +5,7 @@
 
 #include "io/cache_companions.h"
 #include "io/output_file.h"
+#include "io/point_writer.h"
 #include "weft/recorder.h"
 
 namespace weft {
@@ -13,9 +14,7 @@ namespace weft {
 /// a float time [s] for each frame, then for each frame every particle's x, y, z as floats [m].
 class MddRecorder final : public Recorder {
 public:
-    [[nodiscard]] FrameNeeds needs() const override {
-        return {.velocities = false, .normals = false};
-    }
+    [[nodiscard]] FrameNeeds needs() const override { return rounded_positions_alone; }
     void begin(const RecordingPlan& plan) override;
     void frame(const Frame& frame) override;
     std::vector<std::filesystem::path> finish() override;
@@ -27,6 +26,7 @@ private:
     std::size_t planned_ = 0;
     std::vector<float> times_;
     std::optional<OutputFile> cache_;
+    PointWriter points_{std::endian::big};
     std::optional<CacheCompanions> companions_;
 };
 

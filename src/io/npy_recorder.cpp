@@ -45,17 +45,20 @@ void NpyRecorder::write_heads() {
     times_->write(npy_head("<f8", fmt::format("{},", frames_)));
 }
 
-void NpyRecorder::write_vectors(OutputFile& file, std::span<const Vec3d> vectors) const {
-    Bytes bytes;
+void NpyRecorder::write_vectors(OutputFile& file, std::span<const Vec3d> vectors) {
     if (precision_ == Precision::f32) {
-        append_points<std::endian::little>(bytes, vectors);
+        points_.write(file, vectors);
+    } else if constexpr (std::endian::native == std::endian::little) {
+        static_assert(sizeof(Vec3d) == 24);
+        file.write(std::as_bytes(vectors));
     } else {
+        Bytes bytes;
         bytes.reserve(24 * vectors.size());
         for (const Vec3d& vector : vectors)
             for (const double component : {vector.x, vector.y, vector.z})
                 append_little(bytes, component);
+        file.write(bytes);
     }
-    file.write(bytes);
 }
 
 void NpyRecorder::frame(const Frame& frame) {

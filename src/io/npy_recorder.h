@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "io/output_file.h"
+#include "io/point_writer.h"
 #include "weft/recorder.h"
 
 namespace weft {
@@ -19,10 +20,11 @@ public:
 
 private:
     void write_heads();
-    void write_vectors(OutputFile& file, std::span<const Vec3d> vectors) const;
+    void write_vectors(OutputFile& file, std::span<const Vec3d> vectors);
 
     std::size_t particles_ = 0, frames_ = 0;
     Precision precision_ = Precision::f32;
+    PointWriter points_{std::endian::little};
     std::optional<OutputFile> positions_, velocities_, times_;
 };
 

@@ -41,6 +41,7 @@ public:
 private:
     std::filesystem::path path_, named_in_errors_, temporary_;
     std::FILE* file_ = nullptr;
+    std::uint64_t kept_back_ = 0;  ///< bytes written since the system was last told to write
 };
 
 /// `path` with a hidden name that no other file of its directory has, for what is not whole yet.

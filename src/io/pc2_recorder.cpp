@@ -26,9 +26,7 @@ void Pc2Recorder::write_head() {
 
 void Pc2Recorder::frame(const Frame& frame) {
     if (frames_ == 0) companions_->write_mesh(frame);
-    Bytes points;
-    append_points<std::endian::little>(points, frame.positions);
-    cache_->write(points);
+    points_.write_positions(*cache_, frame);
     ++frames_;
 }
 

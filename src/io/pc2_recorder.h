@@ -5,6 +5,7 @@
 
 #include "io/cache_companions.h"
 #include "io/output_file.h"
+#include "io/point_writer.h"
 #include "weft/recorder.h"
 
 namespace weft {
@@ -13,9 +14,7 @@ namespace weft {
 /// each frame every particle's x, y, z as floats [m]; 32 + 12 * particles * frames bytes in all.
 class Pc2Recorder final : public Recorder {
 public:
-    [[nodiscard]] FrameNeeds needs() const override {
-        return {.velocities = false, .normals = false};
-    }
+    [[nodiscard]] FrameNeeds needs() const override { return rounded_positions_alone; }
     void begin(const RecordingPlan& plan) override;
     void frame(const Frame& frame) override;
     std::vector<std::filesystem::path> finish() override;
@@ -25,6 +24,7 @@ private:
 
     std::size_t particles_ = 0, frames_ = 0;
     std::optional<OutputFile> cache_;
+    PointWriter points_{std::endian::little};
     std::optional<CacheCompanions> companions_;
 };
 

@@ -25,10 +25,11 @@ std::string ply_head(const Surface& surface, double time) {
 void append_vertices(Bytes& bytes, const Surface& surface, const Frame& frame) {
     for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
         const std::uint32_t particle = surface.particle(vertex);
-        append_points<std::endian::little>(bytes, frame.positions.subspan(particle, 1));
+        const auto point = vec3_cast<float>(frame.positions[particle]);
         const Vec3f normal = frame.normals[particle];
         const auto uv = surface.uvs[vertex];
-        for (const float value : {normal.x, normal.y, normal.z, uv[0], uv[1]})
+        for (const float value :
+             {point.x, point.y, point.z, normal.x, normal.y, normal.z, uv[0], uv[1]})
             append_little(bytes, value);
     }
 }

@@ -6,11 +6,30 @@
 
 namespace weft {
 
+namespace {
+
+// One written, one waiting, one filled; more where frames are small, so that a moment without the
+// recorders' thread stops nothing.
+std::size_t buffer_count(const RecordingPlan& plan) {
+    constexpr std::size_t least = 3, most = 32, particles_of_all = std::size_t{1} << 18;
+    const std::size_t particles = plan.surface != nullptr ? plan.surface->particle_count : 0;
+    return std::clamp(particles_of_all / std::max<std::size_t>(particles, 1), least, most);
+}
+
+// Waking the thread costs as much as recording a small frame: many buffers let frames gather.
+std::size_t batch_of(std::size_t buffers) {
+    return std::max<std::size_t>(buffers / 8, 1);
+}
+
+}  // namespace
+
 RecordingQueue::RecordingQueue(std::vector<std::unique_ptr<Recorder>> recorders,
                                const RecordingPlan& plan)
-    : recorders_(std::move(recorders)) {
+    : recorders_(std::move(recorders)),
+      buffers_(buffer_count(plan)),
+      batch_(batch_of(buffers_.size())) {
     for (const auto& recorder : recorders_) needs_ = needs_ | recorder->needs();
-    for (std::size_t n = 0; n < capacity; ++n) free_.push_back(n);
+    for (std::size_t n = 0; n < buffers_.size(); ++n) free_.push_back(n);
     thread_ = std::thread([this, plan] { work(plan); });
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return begun_; });
@@ -33,19 +52,20 @@ RecordingQueue::~RecordingQueue() {
 FrameBuffer& RecordingQueue::next() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return !free_.empty(); });
-    filling_ = free_.front();
-    free_.pop_front();
+    filling_ = free_.back();
+    free_.pop_back();
     return buffers_[filling_];
 }
 
 bool RecordingQueue::push() {
-    bool good = false;
+    bool good = false, worth_waking = false;
     {
         const std::scoped_lock lock(mutex_);
         filled_.push_back(filling_);
+        worth_waking = filled_.size() >= batch_;
         good = !failed_;
     }
-    changed_.notify_all();
+    if (worth_waking) changed_.notify_all();
     return good;
 }
 
@@ -68,7 +88,8 @@ void RecordingQueue::work(const RecordingPlan& plan) {
     changed_.notify_all();
     while (good) {
         std::unique_lock lock(mutex_);
-        changed_.wait(lock, [this] { return closing_ || !filled_.empty(); });
+        const std::size_t wanted = filled_.empty() ? batch_ : 1;
+        changed_.wait(lock, [&] { return closing_ || filled_.size() >= wanted; });
         if (discard_ || filled_.empty()) break;
         const std::size_t index = filled_.front();
         filled_.pop_front();

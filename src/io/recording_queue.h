@@ -47,8 +47,6 @@ public:
     [[nodiscard]] double busy_seconds() const { return busy_seconds_; }
 
 private:
-    static constexpr std::size_t capacity = 3;  // one written, one waiting, one filled
-
     void work(const RecordingPlan& plan);
     bool begin_all(const RecordingPlan& plan);
     void record(const Frame& frame);
@@ -58,12 +56,14 @@ private:
     void for_each_recorder(const Action& action);
 
     std::vector<std::unique_ptr<Recorder>> recorders_;
-    FrameNeeds needs_{.velocities = false, .normals = false};
+    FrameNeeds needs_{.positions = false, .velocities = false, .normals = false};
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::deque<std::size_t> free_, filled_;  // indices into buffers_
-    std::vector<FrameBuffer> buffers_{capacity};
+    std::vector<FrameBuffer> buffers_;
+    std::vector<std::size_t> free_;   // into buffers_; the last was used last: it is in the cache
+    std::deque<std::size_t> filled_;  // into buffers_, the oldest first
     std::size_t filling_ = 0;
+    std::size_t batch_;  ///< frames worth waking the thread for
     bool begun_ = false, closing_ = false, discard_ = false, failed_ = false;
     std::exception_ptr error_;
     std::vector<std::filesystem::path> files_;

@@ -3,158 +3,140 @@
 // LOBPCG with one vector). Each iteration costs one product and takes the best vector in the span
 // of the present one, its residual and the last direction; plain power iteration needs several
 // times as many products for the closely set top frequencies of a cloth.
+//
+// Beside the product, an iteration is one sweep over the arrays (math/ritz_pass.h): it combines the
+// vectors and sums all scalar products but that of the residual with its own image.
 #pragma once
 
-#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
+#include "math/parallel.h"
+#include "math/ritz_pass.h"
+#include "math/ritz_step.h"
 #include "math/vec3_array.h"
 
 namespace weft {
 
+/// How far to go.
+struct SearchEffort {
+    /// Estimated relative error of the value at which to stop: what is to be gained yet if gains go
+    /// on shrinking as in the last iterations.
+    double tolerance = 1e-6;
+    int least_products = 0;  ///< before which the estimate is not trusted
+    int most_products = 200;
+};
+
 struct EigenvalueResult {
     double value = 0.0;
     int products = 0;        ///< operator applications spent
-    bool converged = false;  ///< the last relative change was below the tolerance
+    bool converged = false;  ///< the estimated error was below the tolerance
 };
 
-/// Scalar product with one order of summation, in double.
+/// Scalar product in double, of blocks summed in order.
 template <typename Real>
 double dot_product(const Vec3Array<Real>& a, const Vec3Array<Real>& b) {
+    constexpr std::size_t lanes = 8, block = 1024;
     double sum = 0.0;
-    for (std::size_t i = 0; i < a.data_size(); ++i) {
-        sum += static_cast<double>(a.data()[i]) * static_cast<double>(b.data()[i]);
+    for (std::size_t first = 0; first < a.data_size(); first += block) {
+        const std::size_t last = std::min(first + block, a.data_size());  // whole cache lines
+        std::array<double, lanes> sums{};
+        for (std::size_t i = first; i < last; i += lanes) {
+            for (std::size_t l = 0; l < lanes; ++l) {
+                sums[l] +=
+                    static_cast<double>(a.data()[i + l]) * static_cast<double>(b.data()[i + l]);
+            }
+        }
+        for (const double lane : sums) sum += lane;
     }
     return sum;
-}
-
-/// One step of power iteration: `vector` becomes A vector, normalised; `image` is work space.
-/// @return the Rayleigh quotient before the step, at most the largest eigenvalue.
-template <typename Real, typename Multiply>
-double power_step(const Multiply& multiply, Vec3Array<Real>& vector, Vec3Array<Real>& image) {
-    multiply(std::as_const(vector), image);
-    const double squared = dot_product(vector, vector);
-    const double quotient = squared > 0.0 ? dot_product(vector, image) / squared : 0.0;
-    const double norm = std::sqrt(dot_product(image, image));
-    if (norm > 0.0 && std::isfinite(norm)) {
-        const Real scale = static_cast<Real>(1.0 / norm);
-        for (std::size_t i = 0; i < vector.data_size(); ++i) {
-            vector.data()[i] = scale * image.data()[i];
-        }
-    }
-    return quotient;
 }
 
 template <typename Real>
 class LargestEigenvalue {
 public:
-    explicit LargestEigenvalue(std::size_t size)
-        : vector_(size),
-          direction_(size),
-          residual_(size),
-          a_vector_(size),
-          a_direction_(size),
-          a_residual_(size) {}
+    explicit LargestEigenvalue(std::size_t size, InstructionSet set = chosen_instruction_set())
+        : x_(size), p_(size), r_(size), ax_(size), ap_(size), ar_(size) {
+        if constexpr (sizeof(Real) == 4) {
+            function_ = ritz_pass_single(set);
+        } else {
+            function_ = ritz_pass_double(set);
+        }
+        pass_ = {x_.data(),  p_.data(),  r_.data(),     ax_.data(),
+                 ap_.data(), ar_.data(), x_.data_size()};
+        block_sums_.resize(pass_.blocks());
+        pass_.sums = block_sums_.data();
+    }
+    LargestEigenvalue(const LargestEigenvalue&) = delete;
+    LargestEigenvalue& operator=(const LargestEigenvalue&) = delete;
 
     /// The unit eigenvector found; set it before the first call (anything but zero).
-    Vec3Array<Real>& vector() { return vector_; }
+    Vec3Array<Real>& vector() { return x_; }
 
     /// Improves value and vector from the present vector.
-    /// @param multiply (in, out): out = A in.
-    /// @param tolerance relative change of the value in one iteration at which to stop.
+    /// @param multiply (in, out): out = A in; may return in.out as a double.
     template <typename Multiply>
-    EigenvalueResult iterate(const Multiply& multiply, double tolerance, int max_products) {
+    EigenvalueResult iterate(const Multiply& multiply, const SearchEffort& effort) {
         EigenvalueResult result;
-        if (!normalise(vector_, nullptr)) return result;
-        multiply(std::as_const(vector_), a_vector_);
-        result.value = dot_product(vector_, a_vector_);
+        const double squared = dot_product(x_, x_);
+        if (!(squared > 1e-60) || !std::isfinite(squared)) return result;
+        p_.fill_zero(), ap_.fill_zero(), r_.fill_zero(), ar_.fill_zero();
+        const double rayleigh = product(multiply, x_, ax_) / squared;
         result.products = 1;
-        bool has_direction = false;
-        while (result.products < max_products) {
-            combine(residual_, {-result.value, 1.0, 0.0}, vector_, a_vector_, a_vector_);
-            orthogonalise(residual_, nullptr, vector_, nullptr);
-            if (!normalise(residual_, nullptr)) {
+        sweep({0.0, 0.0, 0.0, 1.0 / std::sqrt(squared), rayleigh});
+        result.value = sums_.x_ax / sums_.xx;
+        RemainingGain gain;
+        while (result.products < effort.most_products && !result.converged) {
+            constexpr double noise = sizeof(Real) == 4 ? 1e-6 : 1e-14;  // of a residual
+            if (!(std::sqrt(sums_.rr) > noise * result.value)) {
                 result.converged = true;
                 break;
             }
-            multiply(std::as_const(residual_), a_residual_);
+            const double r_ar = product(multiply, r_, ar_);
             ++result.products;
-            if (has_direction) {
-                orthogonalise(direction_, &a_direction_, vector_, &a_vector_);
-                orthogonalise(direction_, &a_direction_, residual_, &a_residual_);
-                has_direction = normalise(direction_, &a_direction_);
-            }
-            const double before = result.value;
-            result.value = rayleigh_ritz(has_direction);
-            has_direction = true;
-            if (std::abs(result.value - before) <= tolerance * std::abs(result.value)) {
-                result.converged = true;
-                break;
-            }
+            sweep(ritz_step(sums_, r_ar, sizeof(Real) == 4 ? 1e-5 : 1e-12));
+            const double before = std::exchange(result.value, sums_.x_ax / sums_.xx);
+            gain.add(result.value - before);
+            result.converged = result.products >= effort.least_products &&
+                               gain.remaining() <= effort.tolerance * result.value;
         }
         return result;
     }
 
 private:
-    // out = c0 a + c1 b + c2 c
-    static void combine(Vec3Array<Real>& out, std::array<double, 3> c, const Vec3Array<Real>& a,
-                        const Vec3Array<Real>& b, const Vec3Array<Real>& d) {
-        const Real c0 = static_cast<Real>(c[0]), c1 = static_cast<Real>(c[1]),
-                   c2 = static_cast<Real>(c[2]);
-        for (std::size_t i = 0; i < out.data_size(); ++i) {
-            out.data()[i] = c0 * a.data()[i] + c1 * b.data()[i] + c2 * d.data()[i];
+    template <typename Multiply>
+    static double product(const Multiply& multiply, const Vec3Array<Real>& in,
+                          Vec3Array<Real>& out) {
+        if constexpr (std::is_void_v<decltype(multiply(in, out))>) {
+            multiply(in, out);
+            return dot_product(in, out);
+        } else {
+            return multiply(in, out);
         }
     }
-    static void add_scaled(Vec3Array<Real>& out, double scale, const Vec3Array<Real>& a) {
-        const Real s = static_cast<Real>(scale);
-        for (std::size_t i = 0; i < out.data_size(); ++i) out.data()[i] += s * a.data()[i];
-    }
-    static void scale(Vec3Array<Real>& a, double factor) {
-        const Real s = static_cast<Real>(factor);
-        for (std::size_t i = 0; i < a.data_size(); ++i) a.data()[i] *= s;
-    }
-    static void orthogonalise(Vec3Array<Real>& a, Vec3Array<Real>* image,
-                              const Vec3Array<Real>& unit, const Vec3Array<Real>* unit_image) {
-        const double overlap = dot_product(a, unit);
-        add_scaled(a, -overlap, unit);
-        if (image != nullptr) add_scaled(*image, -overlap, *unit_image);
-    }
-    static bool normalise(Vec3Array<Real>& a, Vec3Array<Real>* image) {
-        const double norm = std::sqrt(dot_product(a, a));
-        if (!(norm > 1e-30) || !std::isfinite(norm)) return false;
-        scale(a, 1.0 / norm);
-        if (image != nullptr) scale(*image, 1.0 / norm);
-        return true;
+
+    void sweep(const RitzStep& step) {
+        pass_.direction_x = static_cast<Real>(step.direction_x);
+        pass_.direction_p = static_cast<Real>(step.direction_p);
+        pass_.direction_r = static_cast<Real>(step.direction_r);
+        pass_.vector_x = static_cast<Real>(step.vector_x);
+        pass_.value = static_cast<Real>(step.value);
+        constexpr std::size_t grain = 32;  // blocks worth a thread of their own
+        parallel_for(block_sums_.size(), grain,
+                     [&](std::size_t begin, std::size_t end) { function_(pass_, begin, end); });
+        sums_ = {};
+        for (const RitzSums& block : block_sums_) sums_ += block;
     }
 
-    // The best unit vector in the span of the three; the direction becomes its part outside
-    // vector_.
-    double rayleigh_ritz(bool has_direction) {
-        const int n = has_direction ? 3 : 2;
-        const std::array<const Vec3Array<Real>*, 3> basis{&vector_, &residual_, &direction_};
-        const std::array<const Vec3Array<Real>*, 3> image{&a_vector_, &a_residual_, &a_direction_};
-        Eigen::MatrixXd projected(n, n);
-        for (int i = 0; i < n; ++i) {
-            for (int j = 0; j <= i; ++j) {
-                projected(i, j) = projected(j, i) = dot_product(
-                    *basis[static_cast<std::size_t>(i)], *image[static_cast<std::size_t>(j)]);
-            }
-        }
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(projected);
-        const Eigen::VectorXd c = solver.eigenvectors().col(n - 1);
-        const double c2 = has_direction ? c(2) : 0.0;
-        combine(direction_, {c(1), c2, 0.0}, residual_, direction_, direction_);
-        combine(a_direction_, {c(1), c2, 0.0}, a_residual_, a_direction_, a_direction_);
-        combine(vector_, {c(0), 1.0, 0.0}, vector_, direction_, direction_);
-        combine(a_vector_, {c(0), 1.0, 0.0}, a_vector_, a_direction_, a_direction_);
-        return solver.eigenvalues()(n - 1);
-    }
-
-    Vec3Array<Real> vector_, direction_, residual_;
-    Vec3Array<Real> a_vector_, a_direction_, a_residual_;
+    Vec3Array<Real> x_, p_, r_, ax_, ap_, ar_;
+    RitzPass<Real> pass_;
+    RitzFunction<Real> function_;
+    std::vector<RitzSums> block_sums_;
+    RitzSums sums_;
 };
 
 }  // namespace weft

@@ -37,6 +37,10 @@ ClothSystem<Real>::ClothSystem(const ClothModel& cloth, const SceneDescription& 
         if (wind_) grid_air_.emplace(*wind_, cloth.shape, cloth.layout.row_stride());
     } else {
         mesh_springs_.emplace(cloth);
+        if (instruction_set != InstructionSet::scalar) {
+            mesh_kernel_.emplace(cloth, scene.forces, wind_, inverse_masses_, instruction_set,
+                                 threads);
+        }
         if (wind_) mesh_air_.emplace(*wind_, cloth.surface, cloth.layout);
     }
 }
@@ -80,6 +84,7 @@ template <typename Real>
 void ClothSystem<Real>::acceleration(double t, ConstVec3View<Real> x, ConstVec3View<Real> v,
                                      Vec3View<Real> a) {
     if (grid_kernel_) return grid_kernel_->accelerate(wind_at(t), x, v, a);
+    if (mesh_kernel_) return mesh_kernel_->accelerate(wind_at(t), x, v, a);
     const Vec3<Real> g = vec3_cast<Real>(description_.gravity);
     const Real* w = inverse_masses_.data();
     forces(t, x, v, a, [&](std::size_t begin, std::size_t end) {
@@ -102,7 +107,8 @@ Vec3<Real> ClothSystem<Real>::wind_at(double t) const {
 template <typename Real>
 void ClothSystem<Real>::kick_drift(double t, double kick, double drift, Vec3View<Real> x,
                                    Vec3View<Real> v) {
-    grid_kernel_->kick_drift(wind_at(t), kick, drift, x, v);
+    if (grid_kernel_) return grid_kernel_->kick_drift(wind_at(t), kick, drift, x, v);
+    mesh_kernel_->kick_drift(wind_at(t), kick, drift, x, v);
 }
 
 template <typename Real>

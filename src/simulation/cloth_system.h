@@ -9,6 +9,7 @@
 #include "forces/grid_kernel.h"
 #include "forces/grid_springs.h"
 #include "forces/mesh_air.h"
+#include "forces/mesh_kernel.h"
 #include "forces/mesh_springs.h"
 #include "integrators/dynamics_system.h"
 #include "weft/measures.h"
@@ -30,7 +31,7 @@ public:
                       Vec3View<Real> a) override;
     void constrain(double t, Vec3View<Real> x, Vec3View<Real> v) const override;
     [[nodiscard]] KickDriftPass<Real>* kick_drift_pass() override {
-        return grid_kernel_ ? this : nullptr;
+        return grid_kernel_ || mesh_kernel_ ? this : nullptr;
     }
     [[nodiscard]] VerletPass<Real>* verlet_pass() override { return grid_kernel_ ? this : nullptr; }
 
@@ -58,7 +59,9 @@ private:
     ForcesDescription description_;
     std::optional<WindDescription> wind_;
     std::vector<Real> inverse_masses_;             ///< [slot], 0: pinned or padding [1/kg]
-    std::optional<GridKernel<Real>> grid_kernel_;  ///< or, for scalar and for power(), the twins:
+    std::optional<GridKernel<Real>> grid_kernel_;  ///< for grids, or
+    std::optional<MeshKernel<Real>>
+        mesh_kernel_;  ///< for meshes; for scalar and power() the twins:
     std::optional<GridSprings<Real>> grid_springs_;
     std::optional<MeshSprings<Real>> mesh_springs_;
     std::optional<GridAir<Real>> grid_air_;

@@ -3,96 +3,37 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
-#include "forces/linearised.h"
-#include "math/random.h"
+#include "math/largest_eigenvalue.h"
+#include "simulation/mode_guess.h"
 #include "weft/integrators.h"
 
 namespace weft {
 
 namespace {
 
-template <typename Real>
-void start_vector(const ParticleLayout& layout, Vec3Array<Real>& vector) {
-    const auto random = [](std::size_t p, std::uint64_t component) {
-        return static_cast<Real>(random_uniform(1, component, p) - 0.5);
+// Whether the cloth has springs of a kind.
+bool has_springs(const ClothModel& cloth, SpringKind kind) {
+    const auto in_family = [&](const GridSpringFamily& family) {
+        return family.kind == kind && family.owner_columns > 0 && family.owner_rows > 0 &&
+               (family.factor > 0.0 || family.border_factor > 0.0);
     };
-    layout.for_each([&](std::size_t p, std::size_t slot) {
-        vector.set(slot, {random(p, 0), random(p, 1), random(p, 2)});
-    });
+    const auto in_kind = [&](const Spring& spring) { return spring.kind == kind; };
+    return std::any_of(cloth.families.begin(), cloth.families.end(), in_family) ||
+           std::any_of(cloth.springs.begin(), cloth.springs.end(), in_kind);
 }
 
-// product(in, out) in the symmetric form M^-1/2 A M^-1/2.
-template <typename Real, typename Product>
-auto mass_scaled(const ClothSystem<Real>& system, Vec3Array<Real>& scaled, const Product& product) {
-    return [&system, &scaled, product](const Vec3Array<Real>& in, Vec3Array<Real>& out) {
-        scaled = in;
-        system.scale_by_root_inverse_mass(scaled.view());
-        product(std::as_const(scaled).view(), out.view());
-        system.scale_by_root_inverse_mass(out.view());
-    };
-}
-
+// The smallest ratio c/k of any spring [s].
 double least_damping_per_stiffness(const ClothModel& cloth) {
     double least = std::numeric_limits<double>::infinity();
-    cloth.for_each_spring([&](const Spring&, const SpringConstants& constants) {
-        if (constants.stiffness > 0.0) {
-            least = std::min(least, constants.damping / constants.stiffness);
+    for (const SpringKind kind : {SpringKind::structural, SpringKind::shear, SpringKind::bend}) {
+        const SpringMaterial& material = cloth.materials[static_cast<std::size_t>(kind)];
+        if (material.stiffness > 0.0 && has_springs(cloth, kind)) {
+            least = std::min(least, material.damping / material.stiffness);
         }
-    });
+    }
     return std::isfinite(least) ? least : 0.0;
-}
-
-}  // namespace
-
-double StabilityModes::stable_step(std::string_view method) const {
-    double step = std::numeric_limits<double>::infinity();
-    const auto limit_by = [&](const Mode& mode) {
-        if (mode.omega <= 0.0) return;
-        const double zeta = mode.damping_rate / (2.0 * mode.omega);
-        step = std::min(step, stability_limit(method, zeta) / mode.omega);
-    };
-    for (const Mode& mode : modes) limit_by(mode);
-    if (find_integrator(method)->imaginary_limit == 0.0) limit_by(least_damped);
-    return step;
-}
-
-template <typename Real>
-double follow_largest_stiffness(const ClothModel& cloth, const ClothSystem<Real>& system,
-                                ConstVec3View<Real> x, Vec3Array<Real>& vector, int products) {
-    Vec3Array<Real> scaled(cloth.layout.slot_count()), image(cloth.layout.slot_count());
-    const auto stiffness = mass_scaled(
-        system, scaled,
-        [&](ConstVec3View<Real> in, Vec3View<Real> out) { stiffness_product(cloth, x, in, out); });
-    double value = 0.0;
-    for (int n = 0; n < products; ++n) value = power_step(stiffness, vector, image);
-    return value;
-}
-
-// The unit vector that `product` multiplies most, and how much. Its work space ends with it: this
-// is where a simulation needs the most memory.
-template <typename Real, typename Product>
-std::pair<double, Vec3Array<Real>> dominant(const ClothModel& cloth,
-                                            const ClothSystem<Real>& system,
-                                            const Product& product) {
-    // Enough for six digits on a small cloth; on a million particles for three, in a few seconds.
-    constexpr double tolerance = 1e-6, product_budget = 2e7;
-    const int max_products = static_cast<int>(
-        std::clamp(product_budget / static_cast<double>(cloth.particle_count), 40.0, 200.0));
-    LargestEigenvalue<Real> search(cloth.layout.slot_count());
-    start_vector(cloth.layout, search.vector());
-    system.scale_by_root_inverse_mass(search.vector().view());  // nothing on pinned particles
-    const double value = search.iterate(product, tolerance, max_products).value;
-    return {std::max(value, 0.0), std::move(search.vector())};
-}
-
-template <typename Real, typename Product>
-double rayleigh_quotient(const Vec3Array<Real>& vector, const Product& product) {
-    Vec3Array<Real> image(vector.size());
-    product(vector, image);
-    return dot_product(vector, image);
 }
 
 // A composition with a negative kick amplifies damped modes well below the fastest: between zero
@@ -110,51 +51,116 @@ void add_slower_modes(StabilityModes& found, double alpha) {
     }
 }
 
-template <typename Real>
-StabilityModes stability_modes(const ClothModel& cloth, const ForcesDescription& forces,
-                               const ClothSystem<Real>& system, ConstVec3View<Real> x,
-                               Vec3Array<Real>& fastest_mode) {
-    Vec3Array<Real> scaled(cloth.layout.slot_count());
-    const auto damping =
-        mass_scaled(system, scaled, [&](ConstVec3View<Real> in, Vec3View<Real> out) {
-            damping_product(cloth, forces, x, in, out);
-        });
-    const auto stiffness = mass_scaled(
-        system, scaled,
-        [&](ConstVec3View<Real> in, Vec3View<Real> out) { stiffness_product(cloth, x, in, out); });
-    StabilityModes found;
-    double squared = 0.0;
-    std::tie(squared, fastest_mode) = dominant(cloth, system, stiffness);
-    const Mode fastest{std::sqrt(squared), rayleigh_quotient(fastest_mode, damping)};
-    found.modes.push_back(fastest);
-    const auto [lightest, heaviest] = std::minmax_element(cloth.masses.begin(), cloth.masses.end());
-    found.least_damped = {
-        fastest.omega, forces.damping / *heaviest + least_damping_per_stiffness(cloth) * squared};
-    // A mode of next to no stiffness is limited by its decay alone; this little keeps zeta finite.
-    const auto damped_mode = [](double omega, double rate) {
-        return Mode{std::max(omega, 1e-3 * rate), rate};
+// A mode of next to no stiffness is limited by its decay alone; this little keeps zeta finite.
+Mode damped_mode(double omega, double rate) {
+    return {std::max(omega, 1e-3 * rate), rate};
+}
+
+// How long to search: until gains foretell six digits. A search may dwell on a mode that is not the
+// highest: a small cloth can afford to find out, on a large one such modes are so close to each
+// other that it does not matter.
+SearchEffort effort(std::size_t particle_count) {
+    const int least = static_cast<int>(
+        std::clamp<std::size_t>(100'000 / std::max<std::size_t>(particle_count, 1), 12, 100));
+    return {1e-6, least, particle_count > 100'000 ? 50 : 200};
+}
+
+}  // namespace
+
+double StabilityModes::stable_step(std::string_view method) const {
+    double step = std::numeric_limits<double>::infinity();
+    const auto limit_by = [&](const Mode& mode) {
+        if (mode.omega <= 0.0) return;
+        const double zeta = mode.damping_rate / (2.0 * mode.omega);
+        step = std::min(step, stability_limit(method, zeta) / mode.omega);
     };
-    if (fastest.damping_rate > 0.0) {
-        const auto [rate, vector] = dominant(cloth, system, damping);
-        found.modes.push_back(damped_mode(std::sqrt(rayleigh_quotient(vector, stiffness)), rate));
-    }
-    if (forces.damping > 0.0) {
-        found.modes.push_back(damped_mode(1e-3 * fastest.omega, forces.damping / *lightest));
+    for (const Mode& mode : modes) limit_by(mode);
+    if (find_integrator(method)->imaginary_limit == 0.0) limit_by(least_damped);
+    return step;
+}
+
+template <typename Real>
+StabilityAnalysis<Real>::StabilityAnalysis(const ClothModel& cloth, const ForcesDescription& forces,
+                                           InstructionSet set, int threads)
+    : cloth_(cloth), forces_(forces), set_(set), kernel_(cloth, forces, set, threads) {}
+
+template <typename Real>
+double StabilityAnalysis<Real>::quotient(LinearMatrix matrix, const Vec3Array<Real>& unit) {
+    if (image_.size() != unit.size()) image_ = Vec3Array<Real>(unit.size());
+    ++products_;
+    return kernel_.multiply(matrix, 1.0, unit.view(), image_.view()).in_out;
+}
+
+template <typename Real>
+Mode StabilityAnalysis<Real>::find_fastest() {
+    LargestEigenvalue<Real> search(cloth_.layout.slot_count(), set_);
+    guess_fastest_mode(cloth_, kernel_.root_inverse_masses(), search.vector());
+    const auto multiply = [&](const Vec3Array<Real>& in, Vec3Array<Real>& out) {
+        return kernel_.multiply(LinearMatrix::stiffness, 1.0, in.view(), out.view()).in_out;
+    };
+    const EigenvalueResult result = search.iterate(multiply, effort(cloth_.particle_count));
+    products_ += result.products;
+    fastest_mode_ = std::move(search.vector());
+    length_ = 1.0;
+    return {std::sqrt(std::max(result.value, 0.0)), 0.0};
+}
+
+template <typename Real>
+Mode StabilityAnalysis<Real>::find_most_damped() {
+    LargestEigenvalue<Real> search(cloth_.layout.slot_count(), set_);
+    search.vector() = fastest_mode_;
+    disturb_mode(cloth_, kernel_.root_inverse_masses(), search.vector());
+    const auto multiply = [&](const Vec3Array<Real>& in, Vec3Array<Real>& out) {
+        return kernel_.multiply(LinearMatrix::damping, 1.0, in.view(), out.view()).in_out;
+    };
+    const EigenvalueResult result = search.iterate(multiply, {1e-4, 6, 100});
+    products_ += result.products;
+    const double squared = quotient(LinearMatrix::stiffness, search.vector());
+    return damped_mode(std::sqrt(std::max(squared, 0.0)), result.value);
+}
+
+template <typename Real>
+StabilityModes StabilityAnalysis<Real>::find(ConstVec3View<Real> x) {
+    products_ = 0;
+    kernel_.linearise_at(x);
+    StabilityModes found;
+    Mode fastest = find_fastest();
+    fastest.damping_rate = std::max(quotient(LinearMatrix::damping, fastest_mode_), 0.0);
+    found.modes.push_back(fastest);
+    const auto [lightest, heaviest] =
+        std::minmax_element(cloth_.masses.begin(), cloth_.masses.end());
+    found.least_damped = {fastest.omega,
+                          forces_.damping / *heaviest +
+                              least_damping_per_stiffness(cloth_) * fastest.omega * fastest.omega};
+    if (fastest.damping_rate > 0.0) found.modes.push_back(find_most_damped());
+    if (forces_.damping > 0.0) {
+        found.modes.push_back(damped_mode(1e-3 * fastest.omega, forces_.damping / *lightest));
     }
     add_slower_modes(
-        found, forces.damping * static_cast<double>(cloth.particle_count) / cloth.total_mass());
+        found, forces_.damping * static_cast<double>(cloth_.particle_count) / cloth_.total_mass());
+    image_ = {};  // a simulation needs the most memory here
     return found;
 }
 
-template double follow_largest_stiffness(const ClothModel&, const ClothSystem<float>&,
-                                         ConstVec3View<float>, Vec3Array<float>&, int);
-template double follow_largest_stiffness(const ClothModel&, const ClothSystem<double>&,
-                                         ConstVec3View<double>, Vec3Array<double>&, int);
-template StabilityModes stability_modes(const ClothModel&, const ForcesDescription&,
-                                        const ClothSystem<float>&, ConstVec3View<float>,
-                                        Vec3Array<float>&);
-template StabilityModes stability_modes(const ClothModel&, const ForcesDescription&,
-                                        const ClothSystem<double>&, ConstVec3View<double>,
-                                        Vec3Array<double>&);
+template <typename Real>
+double StabilityAnalysis<Real>::follow(ConstVec3View<Real> x, int products) {
+    if (image_.size() != fastest_mode_.size()) image_ = Vec3Array<Real>(fastest_mode_.size());
+    kernel_.linearise_at(x);
+    double value = 0.0;
+    for (int n = 0; n < products && length_ > 0.0; ++n) {
+        const LinearSums sums =
+            kernel_.multiply(LinearMatrix::stiffness, 1.0 / length_,
+                             std::as_const(fastest_mode_).view(), image_.view());
+        value = sums.in_out / length_;
+        const double next = std::sqrt(sums.out_out);
+        if (!(next > 0.0) || !std::isfinite(next)) break;
+        std::swap(fastest_mode_, image_);
+        length_ = next;
+    }
+    return value;
+}
+
+template class StabilityAnalysis<float>;
+template class StabilityAnalysis<double>;
 
 }  // namespace weft

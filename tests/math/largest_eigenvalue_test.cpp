@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <numbers>
+#include <vector>
 
 #include "math/largest_eigenvalue.h"
 #include "math/random.h"
@@ -55,7 +56,7 @@ TEST(LargestEigenvalue, OfRandomMatricesIsTheDenseOne) {
             Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues().maxCoeff();
         LargestEigenvalue<double> search(10);
         randomise(search.vector());
-        const EigenvalueResult found = search.iterate(multiply_by(matrix), 1e-12, 500);
+        const EigenvalueResult found = search.iterate(multiply_by(matrix), {1e-12, 0, 500});
         EXPECT_TRUE(found.converged);
         EXPECT_NEAR(found.value, expected, 1e-9 * expected);
         EXPECT_LE(found.value, expected * (1 + 1e-13));  // a Rayleigh quotient
@@ -80,7 +81,7 @@ TEST(LargestEigenvalue, OfALongChainConvergesInFewProducts) {
     };
     LargestEigenvalue<double> search(n);
     randomise(search.vector());
-    const EigenvalueResult found = search.iterate(multiply, 1e-8, 200);
+    const EigenvalueResult found = search.iterate(multiply, {1e-8, 0, 200});
     const double s = std::sin((n - 1) * std::numbers::pi / (2 * n));
     EXPECT_NEAR(found.value, 4 * s * s, 1e-4);
     EXPECT_LE(found.products, 200);
@@ -90,8 +91,8 @@ TEST(LargestEigenvalue, IsFoundAtOnceFromAWarmStart) {
     const Eigen::MatrixXd matrix = random_semidefinite(30, 3);
     LargestEigenvalue<double> search(10);
     randomise(search.vector());
-    const EigenvalueResult cold = search.iterate(multiply_by(matrix), 1e-12, 500);
-    const EigenvalueResult warm = search.iterate(multiply_by(matrix), 1e-8, 500);
+    const EigenvalueResult cold = search.iterate(multiply_by(matrix), {1e-12, 0, 500});
+    const EigenvalueResult warm = search.iterate(multiply_by(matrix), {1e-8, 0, 500});
     EXPECT_LE(warm.products, 5);
     EXPECT_GT(cold.products, warm.products);
     EXPECT_NEAR(warm.value, cold.value, 1e-9 * cold.value);
@@ -100,24 +101,129 @@ TEST(LargestEigenvalue, IsFoundAtOnceFromAWarmStart) {
 TEST(LargestEigenvalue, OfNothingIsZero) {
     const auto nothing = [](const Vec3Array<double>&, Vec3Array<double>& out) { out.fill_zero(); };
     LargestEigenvalue<double> search(4);
-    EXPECT_EQ(search.iterate(nothing, 1e-8, 50).value, 0.0);  // from a zero vector
+    EXPECT_EQ(search.iterate(nothing, {1e-8, 0, 50}).value, 0.0);  // from a zero vector
     randomise(search.vector());
-    const EigenvalueResult found = search.iterate(nothing, 1e-8, 50);
+    const EigenvalueResult found = search.iterate(nothing, {1e-8, 0, 50});
     EXPECT_EQ(found.value, 0.0);
     EXPECT_TRUE(found.converged);
 }
 
-TEST(PowerStep, ReturnsTheRayleighQuotientAndTurnsTowardsTheLargest) {
+// Every instruction set takes the same way, to rounding.
+TEST(LargestEigenvalue, IsTheSameOfEveryInstructionSet) {
+    const Eigen::MatrixXd matrix = random_semidefinite(3 * 41, 5);
+    const double expected =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues().maxCoeff();
+    for (std::size_t set = 0; set < instruction_sets().size(); ++set) {
+        LargestEigenvalue<double> search(41, static_cast<InstructionSet>(set));
+        randomise(search.vector());
+        EXPECT_NEAR(search.iterate(multiply_by(matrix), {1e-12, 0, 500}).value, expected,
+                    1e-11 * expected)
+            << instruction_sets()[set];
+    }
+}
+
+// Two equal blocks: the search sees the second only if the noise of its start does.
+TEST(LargestEigenvalue, KeepsOnForTheLeastNumberOfProducts) {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(6, 6);
-    matrix.diagonal() << 4.0, 1.0, 0.5, 0.25, 0.0, 0.0;
-    Vec3Array<double> vector(2), image(2);
-    vector.set(0, {1.0, 1.0, 0.0});
-    EXPECT_DOUBLE_EQ(power_step(multiply_by(matrix), vector, image), 2.5);
-    EXPECT_DOUBLE_EQ(vector[0].x, 4.0 / std::sqrt(17.0));
-    EXPECT_DOUBLE_EQ(vector[0].y, 1.0 / std::sqrt(17.0));
-    double quotient = 0.0;
-    for (int n = 0; n < 30; ++n) quotient = power_step(multiply_by(matrix), vector, image);
-    EXPECT_NEAR(quotient, 4.0, 1e-12);
+    matrix.diagonal() << 4.0, 3.9, 3.8, 3.7, 3.6, 5.0;
+    LargestEigenvalue<double> search(2);
+    const auto start = [&] {
+        search.vector().set(0, {1.0, 1e-3, 1e-3});
+        search.vector().set(1, {1e-3, 1e-3, 1e-9});
+    };
+    start();
+    EXPECT_LT(search.iterate(multiply_by(matrix), {1e-3, 0, 100}).value, 4.1);
+    start();
+    EXPECT_NEAR(search.iterate(multiply_by(matrix), {1e-3, 30, 100}).value, 5.0, 1e-6);
+}
+
+template <typename Real>
+class RitzSweep : public ::testing::Test {
+protected:
+    static constexpr std::size_t size = 1024 * 3 + 16 * 5;
+
+    // Six arrays of numbers in [-1, 1), one after the other.
+    static std::vector<Vec3Array<Real>> arrays() {
+        std::vector<Vec3Array<Real>> result;
+        for (std::uint64_t n = 0; n < 6; ++n) {
+            result.emplace_back(size);
+            for (std::size_t i = 0; i < size; ++i) {
+                result.back().data()[i] = static_cast<Real>(2 * random_uniform(2, n, i) - 1);
+            }
+        }
+        return result;
+    }
+    static std::vector<RitzSums> run(InstructionSet set, std::vector<Vec3Array<Real>>& arrays,
+                                     std::size_t split) {
+        RitzPass<Real> pass{arrays[0].data(),
+                            arrays[1].data(),
+                            arrays[2].data(),
+                            arrays[3].data(),
+                            arrays[4].data(),
+                            arrays[5].data(),
+                            size};
+        pass.direction_x = Real(0.25), pass.direction_p = Real(-1.5), pass.direction_r = Real(0.5);
+        pass.vector_x = Real(0.75), pass.value = Real(1.25);
+        std::vector<RitzSums> sums(pass.blocks());
+        pass.sums = sums.data();
+        const auto function = [&] {
+            if constexpr (sizeof(Real) == 4) {
+                return ritz_pass_single(set);
+            } else {
+                return ritz_pass_double(set);
+            }
+        }();
+        function(pass, split, pass.blocks());
+        function(pass, 0, split);
+        return sums;
+    }
+};
+
+using Precisions = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(RitzSweep, Precisions);
+
+TYPED_TEST(RitzSweep, IsThePlainLoopsOfEveryInstructionSet) {
+    const double tolerance = sizeof(TypeParam) == 4 ? 4e-7 : 4e-15;
+    auto plain = this->arrays();
+    const auto plain_sums = this->run(InstructionSet::scalar, plain, 0);
+    for (std::size_t set = 0; set < instruction_sets().size(); ++set) {
+        auto arrays = this->arrays();
+        const auto sums = this->run(static_cast<InstructionSet>(set), arrays, 2);
+        for (std::size_t n = 0; n < 6; ++n) {
+            for (std::size_t i = 0; i < this->size; ++i) {
+                ASSERT_NEAR(arrays[n].data()[i], plain[n].data()[i], 4 * tolerance);
+            }
+        }
+        for (std::size_t n = 0; n < sums.size(); ++n) {  // of up to 1024 terms of order 1
+            const double most = 1024 * tolerance;
+            EXPECT_NEAR(sums[n].xx, plain_sums[n].xx, most);
+            EXPECT_NEAR(sums[n].xp, plain_sums[n].xp, most);
+            EXPECT_NEAR(sums[n].xr, plain_sums[n].xr, 4 * most);
+            EXPECT_NEAR(sums[n].pp, plain_sums[n].pp, most);
+            EXPECT_NEAR(sums[n].pr, plain_sums[n].pr, 4 * most);
+            EXPECT_NEAR(sums[n].rr, plain_sums[n].rr, 8 * most);
+            EXPECT_NEAR(sums[n].x_ax, plain_sums[n].x_ax, most);
+            EXPECT_NEAR(sums[n].x_ap, plain_sums[n].x_ap, most);
+            EXPECT_NEAR(sums[n].x_ar, plain_sums[n].x_ar, 4 * most);
+            EXPECT_NEAR(sums[n].p_ap, plain_sums[n].p_ap, most);
+            EXPECT_NEAR(sums[n].p_ar, plain_sums[n].p_ar, 4 * most);
+        }
+    }
+}
+
+// Gains of 8, 4, 2 foretell 1 + 1/2 + ... = 2 more.
+TEST(RemainingGain, IsThatOfAGeometricSeries) {
+    RemainingGain gain;
+    EXPECT_TRUE(std::isinf(gain.remaining()));
+    gain.add(8.0);
+    gain.add(4.0);
+    EXPECT_TRUE(std::isinf(gain.remaining()));
+    gain.add(2.0);
+    EXPECT_DOUBLE_EQ(gain.remaining(), 2.0);
+    gain.add(4.0);
+    EXPECT_TRUE(std::isinf(gain.remaining()));  // no longer shrinking
+    gain.add(-1e-9);                            // rounding
+    EXPECT_EQ(gain.remaining(), 0.0);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "integrators/integrator.h"
+#include "simulation/cloth_system.h"
 #include "simulation/engine.h"
 #include "simulation/stability.h"
 #include "support/cloth_scenes.h"
@@ -63,7 +64,7 @@ std::vector<Case> sheets() {
 class StableStep : public ::testing::TestWithParam<Case> {};
 
 TEST_P(StableStep, ComesFromTheLargestFrequencyOfDenseMatrices) {
-    // The search stops when a product changes the square by a millionth; it ends below.
+    // The search stops when its gains foretell a millionth of the square yet; it ends below.
     const double expected = dense_omega_max(GetParam().scene, GetParam().pinned);
     const double found = Simulation(GetParam().scene).linear_analysis().omega_max;
     EXPECT_LE(found, expected * (1 + 1e-12));
@@ -71,6 +72,64 @@ TEST_P(StableStep, ComesFromTheLargestFrequencyOfDenseMatrices) {
     SceneDescription single = GetParam().scene;
     single.integrator.precision = Precision::f32;
     EXPECT_NEAR(Simulation(single).linear_analysis().omega_max, expected, 1e-4 * expected);
+}
+
+// Larger sheets, whose highest modes lie closer to each other.
+TEST(StableStepOfSheets, IsRightToFourDigits) {
+    SceneDescription flag = bare_sheet(20, 16, 1.0, 0.7);
+    flag.material.stiffness_per = StiffnessPer::width;
+    SceneDescription stiff_bend = bare_sheet(20, 16);
+    stiff_bend.material.bend.stiffness = 200.0;
+    SceneDescription held = flag;
+    held.pins = {{EdgeSelection::left_edge, {}}};
+    std::set<std::size_t> left;
+    for (std::size_t j = 0; j < 16; ++j) left.insert(20 * j);
+    for (const auto& [scene, pinned] :
+         {std::pair{flag, std::set<std::size_t>{}}, {stiff_bend, {}}, {held, left}}) {
+        const double expected = dense_omega_max(scene, pinned);
+        const double found = Simulation(scene).linear_analysis().omega_max;
+        EXPECT_LE(found, expected * (1 + 1e-12));
+        EXPECT_GT(found, expected * (1 - 2e-5));
+    }
+}
+
+// Rows of springs alone, particles dx = 1/n apart: omega_max = 2 sqrt(K / rho) / dx, to the bit of
+// a mode in which every other particle of a row moves against its neighbours.
+TEST(StableStepOfSheets, IsTheClosedFormOnALargeSheet) {
+    SceneDescription scene = bare_sheet(161, 121, 1.0, 1.0);
+    scene.material.stiffness_per = StiffnessPer::width;
+    scene.material.shear = scene.material.bend = {};
+    const double expected = 2 * std::sqrt(100.0 / 0.2) * 160;
+    for (const Precision precision : {Precision::f64, Precision::f32}) {
+        scene.integrator.precision = precision;
+        const double found = Simulation(scene).linear_analysis().omega_max;
+        EXPECT_LE(found, expected * (1 + (precision == Precision::f64 ? 1e-12 : 1e-6)));
+        EXPECT_GT(found, expected * (1 - 5e-5));
+    }
+}
+
+// Every instruction set finds the same.
+TEST(StableStepOfSheets, DoesNotDependOnTheInstructionSet) {
+    SceneDescription scene = bare_sheet(33, 21, 1.0, 0.6);
+    add_dashpots(scene, 1e-3);
+    for (const bool as_mesh : {false, true}) {
+        if (as_mesh) make_mesh_of_grid(scene);
+        const ClothModel cloth = build_cloth(scene);
+        const ParticleState<double> state = rest_state<double>(cloth);
+        StabilityAnalysis<double> twin(cloth, scene.forces, InstructionSet::scalar);
+        const StabilityModes expected = twin.find(state.x.view());
+        for (std::size_t set = 1; set < instruction_sets().size(); ++set) {
+            StabilityAnalysis<double> fast(cloth, scene.forces, static_cast<InstructionSet>(set));
+            const StabilityModes found = fast.find(state.x.view());
+            ASSERT_EQ(found.modes.size(), expected.modes.size());
+            for (std::size_t n = 0; n < found.modes.size(); ++n) {
+                EXPECT_NEAR(found.modes[n].omega, expected.modes[n].omega,
+                            1e-5 * expected.modes[n].omega);
+                EXPECT_NEAR(found.modes[n].damping_rate, expected.modes[n].damping_rate,
+                            1e-4 * expected.modes[n].damping_rate);
+            }
+        }
+    }
 }
 
 // Size of the disturbance after `steps`, over its size at first; stops when it has grown 1e6-fold.
@@ -206,25 +265,42 @@ TEST(StableStepOfMethods, IsSafeForUnevenDamping) {
 TEST(StableStepOfMethods, FollowsTheClothAsItStretches) {
     const SceneDescription scene = bare_sheet(8, 8);
     const ClothModel cloth = build_cloth(scene);
-    const ClothSystem<double> system(cloth, scene);
     ParticleState<double> state = rest_state<double>(cloth);
-    Vec3Array<double> mode;
-    const double rest =
-        stability_modes<double>(cloth, scene.forces, system, state.x.view(), mode).modes[0].omega;
+    StabilityAnalysis<double> analysis(cloth, scene.forces), fresh(cloth, scene.forces);
+    const double rest = analysis.find(state.x.view()).modes[0].omega;
     for (std::size_t s = 0; s < state.x.size(); ++s) state.x.set(s, 2.0 * state.x[s]);
-    Vec3Array<double> fresh;
-    const double stretched =
-        stability_modes<double>(cloth, scene.forces, system, state.x.view(), fresh).modes[0].omega;
+    const double stretched = fresh.find(state.x.view()).modes[0].omega;
     EXPECT_GT(stretched, 1.05 * rest);
     double before = 0.0;
-    for (int n = 0; n < 20; ++n) {
-        const double now =
-            std::sqrt(follow_largest_stiffness<double>(cloth, system, state.x.view(), mode, 3));
+    for (int n = 0; n < 30; ++n) {
+        const double now = std::sqrt(analysis.follow(state.x.view(), 2));
         EXPECT_GE(now, before * (1 - 1e-12));
         EXPECT_LE(now, stretched * (1 + 1e-6));
         before = now;
     }
     EXPECT_GT(before, 0.97 * stretched);
+}
+
+// In float the mode's length would overflow in a few products, were it not brought back.
+TEST(StableStepOfMethods, FollowsForAsLongAsARunLasts) {
+    const SceneDescription scene = bare_sheet(8, 8);
+    const ClothModel cloth = build_cloth(scene);
+    const ParticleState<float> state = rest_state<float>(cloth);
+    StabilityAnalysis<float> analysis(cloth, scene.forces);
+    const double omega = analysis.find(state.x.view()).modes[0].omega;
+    for (int n = 0; n < 200; ++n) {
+        EXPECT_NEAR(std::sqrt(analysis.follow(state.x.view(), 2)), omega, 1e-4 * omega);
+    }
+}
+
+TEST(StableStepOfMethods, IsNothingToFollowWithoutSprings) {
+    SceneDescription scene = bare_sheet(4, 4);
+    scene.material.structural = scene.material.shear = scene.material.bend = {};
+    const ClothModel cloth = build_cloth(scene);
+    const ParticleState<double> state = rest_state<double>(cloth);
+    StabilityAnalysis<double> analysis(cloth, scene.forces);
+    EXPECT_EQ(analysis.find(state.x.view()).modes[0].omega, 0.0);
+    EXPECT_EQ(analysis.follow(state.x.view(), 3), 0.0);
 }
 
 }  // namespace
