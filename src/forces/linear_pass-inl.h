@@ -178,7 +178,6 @@ private:
         const Springs k_shear = set_all(d, families[shear]);
         const Springs k_bend_row = set_all(d, families[bend_row]);
         const Springs k_bend_column = set_all(d, families[bend_column]);
-        P carry1 = carry1_, carry2 = carry2_, carry_below = carry_below_;
         for (const std::size_t end = i + count * hn::Lanes(d); i < end; i += hn::Lanes(d)) {
             const P x = load(d, x0_, i), u = load(d, u0_, i);
             const P x_right = load(d, x0_, i + 1), u_right = load(d, u0_, i + 1);
@@ -200,22 +199,27 @@ private:
             right = minus(right, opposite);
             down = plus(down, opposite);
 
-            // What owners to the left and above put here; what this vector puts below.
-            P sum = minus(load(d, sum0_, i), own);
-            sum = plus(sum, shift_in<1>(d, right, carry1));
-            sum = plus(sum, shift_in<2>(d, far_right, carry2));
-            const P next =
-                plus(load(d, sum1_, i), plus(down, shift_in<1>(d, diagonal, carry_below)));
-            store(d, next, sum1_, i);
-            store(d, far_down, sum2_, i);
-            carry1 = right;
-            carry2 = far_right;
-            carry_below = diagonal;
+            const P sum = plus(minus(load(d, sum0_, i), own), to_the_right(right, far_right));
+            put_below(d, i, down, diagonal, far_down);
             if (writes) finish(d, sum, u, i);
         }
-        carry1_ = carry1;
-        carry2_ = carry2;
-        carry_below_ = carry_below;
+    }
+
+    // What owners to the left, of this vector and the one before, put on their right.
+    HWY_INLINE P to_the_right(const P& right, const P& far_right) {
+        const D d;
+        const P sum = plus(shift_in<1>(d, right, carry1_), shift_in<2>(d, far_right, carry2_));
+        carry1_ = right;
+        carry2_ = far_right;
+        return sum;
+    }
+
+    HWY_INLINE void put_below(D d, std::size_t i, const P& down, const P& diagonal,
+                              const P& far_down) {
+        const P sum = plus(down, shift_in<1>(d, diagonal, carry_below_));
+        store(d, plus(load(d, sum1_, i), sum), sum1_, i);
+        store(d, far_down, sum2_, i);
+        carry_below_ = diagonal;
     }
 
     HWY_INLINE void finish(D d, const P& sum, const P& u, std::size_t i) {

@@ -81,9 +81,6 @@ template <typename Real>
 ClothMeasures<Real>::ClothMeasures(const ClothModel& cloth, const ForcesDescription& forces,
                                    InstructionSet set)
     : cloth_(cloth), forces_(forces), set_(set), mesh_(cloth) {
-    masses_.assign(cloth.layout.slot_count(), 0.0);
-    cloth.layout.for_each(
-        [&](std::size_t p, std::size_t slot) { masses_[slot] = cloth.masses[p]; });
     if constexpr (sizeof(Real) == 4) {
         sweeps_ = grid_measures_single(set);
     } else {
@@ -106,7 +103,7 @@ void ClothMeasures<Real>::set_grid() {
     grid_.columns = cloth_.shape.columns;
     grid_.rows = cloth_.shape.rows;
     grid_.stride = cloth_.layout.row_stride();
-    grid_.masses = masses_.data();
+    grid_.masses = cloth_.masses.data();
     grid_.gravity = forces_.gravity;
     for (std::size_t n = 0; n < grid_family_count; ++n) set_family(n);
 }
@@ -188,7 +185,8 @@ SpringStrain ClothMeasures<Real>::largest_strain_of_row(View x, std::size_t j) c
 
 template <typename Real>
 void ClothMeasures<Real>::mesh_particle_energy(View x, View v) {
-    const std::size_t slots = masses_.size(), first = mesh_.block_count();
+    const auto particles = mesh_.particles();
+    const std::size_t slots = particles.size(), first = mesh_.block_count();
     const std::size_t blocks = energies_.size() - first;
     constexpr std::size_t grain = particle_grain / particles_of_block;
     parallel_for(blocks, grain, [&](std::size_t begin, std::size_t end) {
@@ -196,9 +194,10 @@ void ClothMeasures<Real>::mesh_particle_energy(View x, View v) {
             Energy sum;
             const std::size_t last = std::min((b + 1) * particles_of_block, slots);
             for (std::size_t s = b * particles_of_block; s < last; ++s) {
+                const double mass = cloth_.masses[particles[s]];
                 const Vec3d velocity = vec3_cast<double>(v[s]);
-                sum.kinetic += 0.5 * masses_[s] * dot(velocity, velocity);
-                sum.gravity -= masses_[s] * dot(forces_.gravity, vec3_cast<double>(x[s]));
+                sum.kinetic += 0.5 * mass * dot(velocity, velocity);
+                sum.gravity -= mass * dot(forces_.gravity, vec3_cast<double>(x[s]));
             }
             energies_[first + b] = sum;
         }

@@ -69,7 +69,6 @@ private:
     GridMeasure<Real> grid_;
     std::array<Family, grid_family_count> families_;
     MeshMeasures<Real> mesh_;
-    std::vector<double> masses_;            ///< [slot], 0: padding [kg]
     std::vector<RatioRange<Real>> ranges_;  ///< [row], or [block]
     std::vector<Energy> energies_;          ///< [row], or [block] and then [block of particles]
 };

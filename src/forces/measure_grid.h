@@ -29,7 +29,7 @@ struct GridMeasure {
     std::size_t columns = 0, rows = 0, stride = 0;
     std::array<Family, grid_family_count> families;
     bool left_edge = false;          ///< column 0 differs from the inner ones
-    const double* masses = nullptr;  ///< [slot], 0: padding [kg]
+    const double* masses = nullptr;  ///< [particle] [kg]
     Vec3d gravity{};                 ///< [m/s2]
 };
 

@@ -146,6 +146,15 @@ HWY_INLINE Pack<D> load_double(D d, const RowOf<const float>& row, std::size_t i
             hn::PromoteTo(d, hn::LoadU(df, row.x + 2 * row.step + i))};
 }
 
+// The masses of a vector of columns, of which the row has `count` more: zero for the others.
+template <class D>
+HWY_INLINE hn::Vec<D> load_masses(D d, const double* masses, std::size_t count) {
+    if (count >= hn::Lanes(d)) return hn::LoadU(d, masses);
+    HWY_ALIGN double some[hn::MaxLanes(D())] = {};
+    std::copy_n(masses, count, some);
+    return hn::Load(d, some);
+}
+
 template <typename Real>
 HWY_INLINE Energy energy_of_row(const GridMeasure<Real>& grid, ConstVec3View<Real> x_view,
                                 ConstVec3View<Real> v_view, std::size_t j) {
@@ -155,13 +164,13 @@ HWY_INLINE Energy energy_of_row(const GridMeasure<Real>& grid, ConstVec3View<Rea
     const std::array<RowOf<const Real>, 3> rows{
         row_of(grid, x_view, j), row_of(grid, x_view, j + 1), row_of(grid, x_view, j + 2)};
     const RowOf<const Real> velocities = row_of(grid, v_view, j);
-    const double* const masses = grid.masses + j * grid.stride;
+    const double* const masses = grid.masses + j * grid.columns;
     const V zero = hn::Zero(d);
     V kinetic = zero, gravity = zero, structural = zero, sheared = zero, bend = zero;
     const Pack<D> g{hn::Set(d, grid.gravity.x), hn::Set(d, grid.gravity.y),
                     hn::Set(d, grid.gravity.z)};
     for (std::size_t i = 0; i < grid.columns; i += hn::Lanes(d)) {
-        const V mass = hn::LoadU(d, masses + i);
+        const V mass = load_masses(d, masses + i, grid.columns - i);
         const Pack<D> v = load_double(d, velocities, i);
         kinetic = hn::MulAdd(mass, dot(v, v), kinetic);
         gravity = hn::MulAdd(mass, dot(g, load_double(d, rows[0], i)), gravity);

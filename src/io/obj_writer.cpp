@@ -1,6 +1,7 @@
 // Wavefront OBJ text: v, vt, vn and f lines; indices count from 1.
 #include "io/obj_writer.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <iterator>
@@ -15,8 +16,8 @@ constexpr std::size_t block_size = std::size_t{1} << 16;
 void append_corner(fmt::memory_buffer& text, const Surface& surface, std::uint32_t vertex,
                    bool with_normals) {
     const std::uint32_t particle = surface.particle(vertex) + 1;
-    fmt::format_to(std::back_inserter(text), " {}/{}", particle, vertex + 1);
-    if (with_normals) fmt::format_to(std::back_inserter(text), "/{}", particle);
+    fmt::format_to(std::back_inserter(text), FMT_COMPILE(" {}/{}"), particle, vertex + 1);
+    if (with_normals) fmt::format_to(std::back_inserter(text), FMT_COMPILE("/{}"), particle);
 }
 
 }  // namespace
@@ -33,15 +34,15 @@ void write_obj(OutputFile& file, std::string_view comment, const Surface& surfac
     // {} prints the shortest digits that read back to the same float.
     for (const Vec3d& position : positions) {
         const auto p = vec3_cast<float>(position);
-        fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x, p.y, p.z);
+        fmt::format_to(std::back_inserter(text), FMT_COMPILE("v {} {} {}\n"), p.x, p.y, p.z);
         flush(block_size);
     }
     for (const auto& uv : surface.uvs) {
-        fmt::format_to(std::back_inserter(text), "vt {} {}\n", uv[0], uv[1]);
+        fmt::format_to(std::back_inserter(text), FMT_COMPILE("vt {} {}\n"), uv[0], uv[1]);
         flush(block_size);
     }
     for (const Vec3f& n : normals) {
-        fmt::format_to(std::back_inserter(text), "vn {} {} {}\n", n.x, n.y, n.z);
+        fmt::format_to(std::back_inserter(text), FMT_COMPILE("vn {} {} {}\n"), n.x, n.y, n.z);
         flush(block_size);
     }
     for (const auto& face : surface.faces) {

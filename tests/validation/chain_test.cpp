@@ -44,7 +44,7 @@ std::vector<Vec3d> settled_chain(double stiffness) {
     engine->set_state(x, v);
     FrameBuffer frame;
     for (int n = 0; n < 240; ++n) EXPECT_TRUE(engine->advance_frame().ok());
-    engine->capture(frame);
+    engine->capture(frame, {});
     for (const Vec3d u : frame.velocities) EXPECT_LT(length(u), 1e-6);
     return frame.positions;
 }
