@@ -52,8 +52,8 @@ RecordingQueue::~RecordingQueue() {
 FrameBuffer& RecordingQueue::next() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return !free_.empty(); });
-    filling_ = free_.back();
-    free_.pop_back();
+    filling_ = free_.front();
+    free_.pop_front();
     return buffers_[filling_];
 }
 

@@ -60,8 +60,9 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     std::vector<FrameBuffer> buffers_;
-    std::vector<std::size_t> free_;   // into buffers_; the last was used last: it is in the cache
-    std::deque<std::size_t> filled_;  // into buffers_, the oldest first
+    // Indices into buffers_, the oldest first: a buffer that rests has left the caches of the
+    // thread that used it last.
+    std::deque<std::size_t> free_, filled_;
     std::size_t filling_ = 0;
     std::size_t batch_;  ///< frames worth waking the thread for
     bool begun_ = false, closing_ = false, discard_ = false, failed_ = false;

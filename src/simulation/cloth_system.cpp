@@ -137,13 +137,6 @@ void ClothSystem<Real>::constrain(double t, Vec3View<Real> x, Vec3View<Real> v) 
 }
 
 template <typename Real>
-void ClothSystem<Real>::scale_by_root_inverse_mass(Vec3View<Real> u) const {
-    for (std::size_t s = 0; s < u.size; ++s) {
-        u.set(s, std::sqrt(inverse_masses_[s]) * u[s]);
-    }
-}
-
-template <typename Real>
 double ClothSystem<Real>::pin_power(double t, ConstVec3View<Real> f) const {
     double power = 0.0;
     for (const Pin& pin : cloth_.pins) {

@@ -35,9 +35,6 @@ public:
     }
     [[nodiscard]] VerletPass<Real>* verlet_pass() override { return grid_kernel_ ? this : nullptr; }
 
-    /// Multiplies every particle's vector by M^-1/2, which is zero for pinned ones and padding.
-    void scale_by_root_inverse_mass(Vec3View<Real> u) const;
-
     /// Rates of work of what has no energy [W], in the fields of Work.
     Work power(double t, ConstVec3View<Real> x, ConstVec3View<Real> v);
 
