@@ -1,7 +1,7 @@
 #include "math/instruction_sets.h"
 
 #include <fmt/format.h>
-#include <hwy/targets.h>
+#include <hwy/detect_compiler_arch.h>
 
 #include <algorithm>
 #include <array>
@@ -16,17 +16,21 @@ namespace {
 
 constexpr std::array<std::string_view, 4> names{"scalar", "sse4", "avx2", "avx512"};
 
-// The processor's sets come as a chain: one that has AVX-512 has AVX2 and SSE4 too.
+// The processor's sets come as a chain: one that has AVX-512 has AVX2 and SSE4 too. What Highway's
+// targets use of each; its own question at run time would cost 3 ms at every start.
 std::size_t count_of_available() {
-    const std::int64_t targets = hwy::SupportedTargets();
-    std::size_t count = 1;
-    if constexpr (HWY_ARCH_X86) {
-        for (const std::int64_t target : {HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
-            if ((targets & target) == 0) break;
-            ++count;
-        }
-    }
-    return count;
+#if HWY_ARCH_X86
+    const bool sse4 = __builtin_cpu_supports("sse4.1") && __builtin_cpu_supports("ssse3") &&
+                      __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes");
+    const bool avx2 = sse4 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                      __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+    const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") &&
+                        __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+                        __builtin_cpu_supports("avx512bw");
+    return avx512 ? 4 : avx2 ? 3 : sse4 ? 2 : 1;
+#else
+    return 1;
+#endif
 }
 
 InstructionSet find(std::string_view name, const std::string& place) {
