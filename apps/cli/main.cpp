@@ -216,8 +216,8 @@ int after_flushing(int status) {
 }  // namespace weft
 
 int main(int argc, char** argv) {
-    // What is freed after the analysis of a large cloth goes back to the system before the run needs
-    // as much: glibc would keep it, having raised its threshold for blocks of their own.
+    // What is freed after the analysis of a large cloth goes back to the system before the run
+    // needs as much: glibc would keep it, having raised its threshold for blocks of their own.
     mallopt(M_MMAP_THRESHOLD, 1 << 20);
     return weft::after_flushing(weft::guarded_main(argc, argv));
 }
