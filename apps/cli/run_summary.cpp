@@ -92,8 +92,8 @@ Json run_summary(const Simulation& simulation, const RunRecord& record) {
     json["scene"] = scene_to_json(scene);
     json["machine"] = machine_json();
     json["threads"] = simulation.threads();
-    json["kernel"] = fmt::format("{}, {}", scene.cloth.mesh ? "mesh" : "grid",
-                                 simulation.instruction_set());
+    json["kernel"] =
+        fmt::format("{}, {}", scene.cloth.mesh ? "mesh" : "grid", simulation.instruction_set());
     json["particles"] = simulation.particle_count();
     const auto springs = simulation.spring_counts();
     json["springs"] = {{"structural", springs[0]}, {"shear", springs[1]}, {"bend", springs[2]}};
