@@ -149,8 +149,7 @@ LinearAnalysis ClothEngine<Real>::linear_analysis() const {
 template <typename Real>
 void ClothEngine<Real>::keep_stable() {
     if (!is_auto() || frame_ == 0 || frame_ % frames_between_estimates != 0) return;
-    const double squared =
-        analysis_->follow(std::as_const(state_.x).view(), products_per_estimate);
+    const double squared = analysis_->follow(std::as_const(state_.x).view(), products_per_estimate);
     Mode& fastest = modes_.modes.front();
     if (!(squared > fastest.omega * fastest.omega)) return;
     fastest.omega = std::sqrt(squared);

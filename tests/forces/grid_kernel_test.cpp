@@ -12,7 +12,6 @@
 namespace weft::test {
 namespace {
 
-
 SceneDescription scene_of(int columns, int rows) {
     SceneDescription scene = bare_sheet(columns, rows, 0.1 * (columns - 1), 0.13 * (rows - 1));
     scene.forces.gravity = {0.3, -9.81, 0.1};
@@ -112,13 +111,13 @@ TYPED_TEST(GridKernelOf, StepsAreThoseOfTheTwins) {
             for (const InstructionSet set : vector_sets()) {
                 const auto state = run(set, method);
                 const double digits = sizeof(TypeParam) == 4 ? 3e-5 : 1e-13;
-                EXPECT_LT(largest_difference(as_vectors(cloth, state.v),
-                                             as_vectors(cloth, expected.v)),
-                          digits * largest(as_vectors(cloth, expected.v)))
+                EXPECT_LT(
+                    largest_difference(as_vectors(cloth, state.v), as_vectors(cloth, expected.v)),
+                    digits * largest(as_vectors(cloth, expected.v)))
                     << method << " " << name_of(set);
-                EXPECT_LT(largest_difference(as_vectors(cloth, state.x),
-                                             as_vectors(cloth, expected.x)),
-                          digits * 0.1 * (1 + largest(as_vectors(cloth, expected.x))))
+                EXPECT_LT(
+                    largest_difference(as_vectors(cloth, state.x), as_vectors(cloth, expected.x)),
+                    digits * 0.1 * (1 + largest(as_vectors(cloth, expected.x))))
                     << method << " " << name_of(set);
                 EXPECT_EQ(state.x[cloth.slot(0)], expected.x[cloth.slot(0)]);  // pinned
             }
