@@ -9,7 +9,9 @@
 #include <hwy/highway.h>
 
 #include "forces/grid_pass.h"
-#include "math/simd-inl.h"
+#include "forces/grid_rows-inl.h"
+#include "forces/plate_force-inl.h"
+#include "math/pack-inl.h"
 
 #if WEFT_SIMD_TARGET
 HWY_BEFORE_NAMESPACE();
@@ -18,72 +20,6 @@ namespace HWY_NAMESPACE {
 
 // The families as grid_spring_families() orders them.
 enum Family : std::size_t { along_row, along_column, shear, anti, bend_row, bend_column };
-
-// One array along one row: its x components, and how far on the y, then the z components stand.
-// (Three pointers a row are more than there are registers.)
-template <typename Real>
-struct RowOf {
-    Real* x;
-    std::ptrdiff_t step;
-};
-
-template <class D, typename Real>
-HWY_INLINE Pack<D> load(D d, const RowOf<Real>& row, std::size_t i) {
-    const Real* const x = row.x + i;
-    return load_pack(d, x, x + row.step, x + 2 * row.step);
-}
-
-template <class D, typename Real>
-HWY_INLINE void store(D d, const Pack<D>& value, const RowOf<Real>& row, std::size_t i) {
-    Real* const x = row.x + i;
-    hn::StoreU(value.x, d, x);
-    hn::StoreU(value.y, d, x + row.step);
-    hn::StoreU(value.z, d, x + 2 * row.step);
-}
-
-// The vector n places after `current`, which stands at i. Where one instruction joins two vectors,
-// that is cheaper than a load across a cache line.
-template <int n, class D, typename Real>
-HWY_INLINE Pack<D> load_ahead(D d, const Pack<D>& current, const RowOf<Real>& row, std::size_t i) {
-#if HWY_TARGET == HWY_AVX3
-    constexpr int back = static_cast<int>(64 / sizeof(Real)) - n;
-    const Pack<D> next = load(d, row, i + hn::Lanes(d));
-    return {shift_in<back>(d, next.x, current.x), shift_in<back>(d, next.y, current.y),
-            shift_in<back>(d, next.z, current.z)};
-#else
-    (void)current;
-    return load(d, row, i + n);
-#endif
-}
-
-// Where the rows of x, v and a stand for one band: its own in place, those around it in the halo.
-template <typename Real>
-class BandRows {
-public:
-    BandRows(const GridPass<Real>& pass, const GridBand<Real>& band) : pass_(pass), band_(band) {}
-
-    enum Array : std::size_t { position = 0, velocity = 3, acceleration = 6 };
-
-    [[nodiscard]] RowOf<Real> row(Array array, std::size_t j) const {
-        Real* const x = component(array, j);
-        return {x, component(array + 1, j) - x};
-    }
-
-private:
-    [[nodiscard]] Real* component(std::size_t c, std::size_t j) const {
-        const bool own = j >= band_.row_begin && j < band_.row_end;
-        if (own || band_.halo == nullptr) {
-            Real* const base = c < 3 ? pass_.x[c] : c < 6 ? pass_.v[c - 3] : pass_.a[c - 6];
-            return base + j * pass_.stride;
-        }
-        const std::size_t place =
-            j < band_.row_begin ? j + 2 - band_.row_begin : j - band_.row_end + 2;
-        return band_.halo + (c * GridBand<Real>::halo_rows + place) * pass_.stride;
-    }
-
-    const GridPass<Real>& pass_;
-    const GridBand<Real>& band_;
-};
 
 // Constants of a family in every lane.
 template <class D>
@@ -96,45 +32,6 @@ struct FamilyVectors {
           tension(hn::Set(d, c.tension)),
           damping(hn::Set(d, c.damping)) {}
 };
-
-template <class D>
-HWY_INLINE Pack<D> minus(const Pack<D>& a, const Pack<D>& b) {
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-template <class D>
-HWY_INLINE Pack<D> plus(const Pack<D>& a, const Pack<D>& b) {
-    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-template <class D>
-HWY_INLINE Pack<D> times(const hn::Vec<D>& s, const Pack<D>& a) {
-    return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
-}
-// a + s b
-template <class D>
-HWY_INLINE Pack<D> plus_scaled(const Pack<D>& a, const hn::Vec<D>& s, const Pack<D>& b) {
-    return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
-}
-// a - s b
-template <class D>
-HWY_INLINE Pack<D> minus_scaled(const Pack<D>& a, const hn::Vec<D>& s, const Pack<D>& b) {
-    return {hn::NegMulAdd(s, b.x, a.x), hn::NegMulAdd(s, b.y, a.y), hn::NegMulAdd(s, b.z, a.z)};
-}
-template <class D>
-HWY_INLINE hn::Vec<D> dot(const Pack<D>& a, const Pack<D>& b) {
-    return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
-}
-// a.a, and a little more than zero
-template <class D>
-HWY_INLINE hn::Vec<D> square(D d, const Pack<D>& a) {
-    using T = hn::TFromD<D>;
-    return hn::MulAdd(a.z, a.z,
-                      hn::MulAdd(a.y, a.y, hn::MulAdd(a.x, a.x, hn::Set(d, least_square<T>))));
-}
-template <class D>
-HWY_INLINE Pack<D> cross(const Pack<D>& a, const Pack<D>& b) {
-    return {hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
-            hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
-}
 
 // k - k L / |d| + c (dv.d) / |d|^2: times d, a spring's force.
 template <bool damped, class D>
@@ -177,7 +74,8 @@ public:
           line0_(line(lines, j)),
           line1_(line(lines, j + 1)),
           line2_(line(lines, j + 2)),
-          row_(pass.row_constants[pass.row_kind(j)]) {}
+          row_(pass.row_constants[pass.row_kind(j)]),
+          air_(row_.has_triangles ? pass.air_constants : AirConstants<T>{}) {}
 
     HWY_INLINE void sweep() {
         const std::size_t lanes = hn::Lanes(D());
@@ -250,10 +148,15 @@ private:
             own = plus(own, diagonal);
 
             if constexpr (air) {
-                const P lower = plate(d, dx_column, dx_shear, plus(v, plus(v_below, v_diagonal)),
-                                      edge ? pass_.triangle_factors + i : nullptr);
-                const P upper = plate(d, dx_shear, dx_row, plus(v, plus(v_diagonal, v_right)),
-                                      edge ? pass_.triangle_factors + i : nullptr);
+                P lower = plate_third(d, air_, pass_.wind, cross(dx_column, dx_shear),
+                                      plus(v, plus(v_below, v_diagonal)));
+                P upper = plate_third(d, air_, pass_.wind, cross(dx_shear, dx_row),
+                                      plus(v, plus(v_diagonal, v_right)));
+                if constexpr (edge) {
+                    const V present = hn::LoadU(d, pass_.triangle_factors + i);
+                    lower = times(present, lower);
+                    upper = times(present, upper);
+                }
                 const P both = plus(lower, upper);
                 own = plus(own, both);
                 right = minus(right, upper);
@@ -284,9 +187,10 @@ private:
 
             // What owners to the left and above put here; what this vector puts below.
             P force = minus(own, load(d, line0_, i));
-            force = minus(force, moved<1>(right, carry1));
-            force = minus(force, moved<2>(far_right, carry2));
-            const P next = plus(load(d, line1_, i), plus(down, moved<1>(diagonal, carry_below)));
+            force = minus(force, shift_in<1>(d, right, carry1));
+            force = minus(force, shift_in<2>(d, far_right, carry2));
+            const P next =
+                plus(load(d, line1_, i), plus(down, shift_in<1>(d, diagonal, carry_below)));
             store(d, next, line1_, i);
             store(d, far_down, line2_, i);
             carry1 = right;
@@ -297,44 +201,6 @@ private:
         carry1_ = carry1;
         carry2_ = carry2;
         carry_below_ = carry_below;
-    }
-
-    template <int n>
-    static HWY_INLINE P moved(const P& current, const P& previous) {
-        const D d;
-        return {shift_in<n>(d, current.x, previous.x), shift_in<n>(d, current.y, previous.y),
-                shift_in<n>(d, current.z, previous.z)};
-    }
-
-    // A third of the air's force on a triangle of sides a, b (plate_force_third), where v_sum is
-    // the sum of its corners' velocities.
-    HWY_INLINE P plate(D d, const P& a, const P& b, const P& v_sum, const T* factors) const {
-        const V third = hn::Set(d, T(1.0 / 3.0));
-        const P wind{hn::Set(d, pass_.wind.x), hn::Set(d, pass_.wind.y), hn::Set(d, pass_.wind.z)};
-        const P relative = minus_scaled(wind, third, v_sum);
-        const P normal = cross(a, b);
-        const V inverse_area = inverse_root(d, square(d, normal));  // 1 / (2 A)
-        const V speed_squared = square(d, relative);
-        const V speed = hn::Mul(speed_squared, inverse_root(d, speed_squared));
-        const V v_n = hn::Mul(dot(relative, normal), inverse_area);
-        const P v_t = minus_scaled(relative, hn::Mul(v_n, inverse_area), normal);
-        const V slip_squared = square(d, v_t);
-        const V slip = hn::Mul(slip_squared, inverse_root(d, slip_squared));
-        const V resistance =
-            hn::MulAdd(hn::Set(d, T(0.222)), hn::Abs(v_n), hn::Mul(hn::Set(d, T(0.283)), speed));
-        // The two constants are zero where the row has no triangles below.
-        const T present = row_.has_triangles ? T(1.0 / 3.0) : T(0);
-        V across = hn::Div(
-            hn::Mul(hn::Set(d, present * pass_.air_constants.normal), hn::Mul(speed_squared, v_n)),
-            resistance);
-        V along = hn::Mul(hn::Mul(hn::Set(d, present * pass_.air_constants.tangential), slip),
-                          hn::Mul(square(d, normal), inverse_area));
-        if (factors != nullptr) {
-            const V factor = hn::LoadU(d, factors);
-            across = hn::Mul(across, factor);
-            along = hn::Mul(along, factor);
-        }
-        return plus_scaled(times(across, normal), along, v_t);
     }
 
     // @param force all but gravity and drag.
@@ -373,6 +239,7 @@ private:
     const T* const masses_;
     const RowOf<T> line0_, line1_, line2_;
     const GridRowConstants<T>& row_;
+    const AirConstants<T> air_;  // zero where the row has no triangles below
     // What the vector before puts one and two columns to the right, and one right of it below.
     const V zero_ = hn::Zero(D());
     P carry1_{zero_, zero_, zero_}, carry2_{zero_, zero_, zero_}, carry_below_{zero_, zero_, zero_};

@@ -12,6 +12,7 @@
 
 #include "forces/mesh_pass.h"
 #include "forces/mesh_pass_rows-inl.h"
+#include "forces/plate_force-inl.h"
 #include "math/pack-inl.h"
 #include "math/simd-inl.h"
 
@@ -19,21 +20,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft {
 namespace HWY_NAMESPACE {
-
-// a - s b
-template <class D>
-HWY_INLINE Pack<D> minus_scaled(const Pack<D>& a, const hn::Vec<D>& s, const Pack<D>& b) {
-    return {hn::NegMulAdd(s, b.x, a.x), hn::NegMulAdd(s, b.y, a.y), hn::NegMulAdd(s, b.z, a.z)};
-}
-template <class D>
-HWY_INLINE Pack<D> cross(const Pack<D>& a, const Pack<D>& b) {
-    return {hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
-            hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
-}
-template <class D, typename T>
-HWY_INLINE Pack<D> set(D d, const Vec3<T>& a) {
-    return {hn::Set(d, a.x), hn::Set(d, a.y), hn::Set(d, a.z)};
-}
 
 // How far ahead tables and states are asked for, in numbers: more streams are read at once than the
 // processor itself foresees, which took half as long again of a mesh larger than the caches.
@@ -54,31 +40,6 @@ HWY_INLINE void copy_rows(const MeshPass<T>& pass, std::size_t begin, std::size_
     }
 }
 
-// A third of the air's force on a triangle of normal N (plate_force_third), where v_sum is the sum
-// of its corners' velocities.
-template <class D, typename T>
-HWY_INLINE Pack<D> plate_third(D d, const MeshPass<T>& pass, const Pack<D>& normal,
-                               const Pack<D>& v_sum) {
-    const auto relative = minus_scaled(set(d, pass.wind), hn::Set(d, T(1.0 / 3.0)), v_sum);
-    const auto normal_squared = square(d, normal);
-    const auto inverse_area = inverse_root(d, normal_squared);  // 1 / (2 A)
-    const auto speed_squared = square(d, relative);
-    const auto speed = hn::Mul(speed_squared, inverse_root(d, speed_squared));
-    const auto v_n = hn::Mul(dot(relative, normal), inverse_area);
-    const auto v_t = minus_scaled(relative, hn::Mul(v_n, inverse_area), normal);
-    const auto slip_squared = square(d, v_t);
-    const auto slip = hn::Mul(slip_squared, inverse_root(d, slip_squared));
-    const auto resistance =
-        hn::MulAdd(hn::Set(d, T(0.222)), hn::Abs(v_n), hn::Mul(hn::Set(d, T(0.283)), speed));
-    const auto across = hn::Div(
-        hn::Mul(hn::Set(d, T(1.0 / 3.0) * pass.air_constants.normal), hn::Mul(speed_squared, v_n)),
-        resistance);
-    const auto along =
-        hn::Mul(hn::Mul(hn::Set(d, T(1.0 / 3.0) * pass.air_constants.tangential), slip),
-                hn::Mul(normal_squared, inverse_area));
-    return plus_scaled(times(across, normal), along, v_t);
-}
-
 template <typename T>
 HWY_INLINE void find_thirds(const MeshPass<T>& pass, std::size_t begin, std::size_t end) {
     constexpr int size = MeshPass<T>::third_size;
@@ -91,7 +52,8 @@ HWY_INLINE void find_thirds(const MeshPass<T>& pass, std::size_t begin, std::siz
         const auto b = gather_moving(d, pass.rows, corners + lanes);
         const auto c = gather_moving(d, pass.rows, corners + 2 * lanes);
         const auto normal = cross(minus(b.x, a.x), minus(c.x, a.x));
-        const auto third = plate_third(d, pass, normal, plus(a.v, plus(b.v, c.v)));
+        const auto third =
+            plate_third(d, pass.air_constants, pass.wind, normal, plus(a.v, plus(b.v, c.v)));
         store_rows<size>(d, third, pass.thirds + size * (n * lanes & pass.third_mask));
     }
 }

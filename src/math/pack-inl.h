@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include "math/simd-inl.h"
+#include "weft/vec3.h"
 
 #if WEFT_SIMD_TARGET
 HWY_BEFORE_NAMESPACE();
@@ -19,6 +20,11 @@ namespace HWY_NAMESPACE {
 template <class D>
 HWY_INLINE Pack<D> zero_pack(D d) {
     return {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+}
+/// The same vector in every lane.
+template <class D, typename T>
+HWY_INLINE Pack<D> set(D d, const Vec3<T>& a) {
+    return {hn::Set(d, a.x), hn::Set(d, a.y), hn::Set(d, a.z)};
 }
 template <class D>
 HWY_INLINE Pack<D> minus(const Pack<D>& a, const Pack<D>& b) {
@@ -36,6 +42,16 @@ HWY_INLINE Pack<D> times(const hn::Vec<D>& s, const Pack<D>& a) {
 template <class D>
 HWY_INLINE Pack<D> plus_scaled(const Pack<D>& a, const hn::Vec<D>& s, const Pack<D>& b) {
     return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
+}
+/// a - s b
+template <class D>
+HWY_INLINE Pack<D> minus_scaled(const Pack<D>& a, const hn::Vec<D>& s, const Pack<D>& b) {
+    return {hn::NegMulAdd(s, b.x, a.x), hn::NegMulAdd(s, b.y, a.y), hn::NegMulAdd(s, b.z, a.z)};
+}
+template <class D>
+HWY_INLINE Pack<D> cross(const Pack<D>& a, const Pack<D>& b) {
+    return {hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
+            hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
 }
 template <class D>
 HWY_INLINE hn::Vec<D> dot(const Pack<D>& a, const Pack<D>& b) {
