@@ -22,7 +22,8 @@ nlohmann::ordered_json check_json(const Simulation& simulation) {
     json["mass"] = simulation.total_mass();
     json["omega_max"] = linear.omega_max;
     json["damping_ratio"] = linear.damping_ratio;
-    json["method"] = simulation.scene().integrator.method;
+    json["method"] = simulation.method();
+    json["method_reason"] = simulation.method_reason();
     json["time_step"] = simulation.time_step();
     json["steps_per_frame"] = simulation.steps_per_frame();
     json["stable_step"] = stable_steps_json(simulation);
@@ -38,7 +39,7 @@ void print_stable_steps(const Simulation& simulation) {
         const std::string text = std::isinf(step) ? "any"
                                  : step > 0.0     ? fmt::format("{:.6g} s", step)
                                                   : "none: needs damping";
-        const bool chosen = info.name == simulation.scene().integrator.method;
+        const bool chosen = info.name == simulation.method();
         fmt::print("  {:<22} {}{}\n", info.name, text, chosen ? "   <- this scene's" : "");
     }
 }
@@ -58,6 +59,9 @@ void print_check(const Simulation& simulation) {
     fmt::print("time step     {:.6g} s ({}), {} a frame, {} frames\n", simulation.time_step(),
                scene.integrator.time_step ? "given" : "auto", simulation.steps_per_frame(),
                scene.frame_count());
+    if (!simulation.method_reason().empty()) {
+        fmt::print("method        {}: {}\n", simulation.method(), simulation.method_reason());
+    }
     print_stable_steps(simulation);
     for (const std::string& finding : simulation.mesh_findings()) {
         fmt::print("mesh          {}\n", finding);

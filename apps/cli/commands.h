@@ -25,6 +25,7 @@ struct SceneOptions {
     std::vector<std::string> set;       ///< "KEY=VALUE"
     std::optional<std::size_t> frames;  ///< to simulate
     int threads = 0;                    ///< 0: all
+    bool settle = false;                ///< start from rest; without frames, nothing else
     bool quiet = false, json = false;
 };
 

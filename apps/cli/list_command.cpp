@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
@@ -14,11 +15,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string_view kind_name(IntegratorKind kind) {
+    switch (kind) {
+        case IntegratorKind::explicit_steps: return "explicit";
+        case IntegratorKind::adaptive: return "adaptive";
+        case IntegratorKind::implicit: return "implicit";
+        case IntegratorKind::by_springs: break;
+    }
+    return "by springs";
+}
+
+std::string auto_step_text(const IntegratorInfo& info) {
+    if (info.auto_step > 0.0) return fmt::format("1/{:.0f}", 1.0 / info.auto_step);
+    return info.kind == IntegratorKind::adaptive ? "error" : "stable";
+}
+
 void list_integrators(bool json) {
     Json rows = Json::array();
     if (!json) {
-        fmt::print("{:<22} {:>5} {:>6} {:>5} {:>10} {:>8}  {}\n", "name", "order", "damped",
-                   "evals", "symplectic", "limit", "update");
+        fmt::print("{:<22} {:>5} {:>6} {:>5} {:>10} {:>8} {:>8}  {}\n", "name", "order", "damped",
+                   "evals", "symplectic", "limit", "auto", "update");
     }
     for (const IntegratorInfo& info : integrator_catalogue()) {
         rows.push_back({{"name", info.name},
@@ -26,21 +42,32 @@ void list_integrators(bool json) {
                         {"damped_order", info.damped_order},
                         {"evaluations", info.evaluations},
                         {"symplectic", info.symplectic},
-                        {"imaginary_limit", info.imaginary_limit},
+                        {"imaginary_limit", std::isinf(info.imaginary_limit)
+                                                ? Json("any")
+                                                : Json(info.imaginary_limit)},
+                        {"kind", kind_name(info.kind)},
+                        {"auto_step", info.auto_step > 0.0 ? Json(info.auto_step) : Json(nullptr)},
                         {"formula", info.formula},
                         {"reference", info.reference}});
         if (json) continue;
-        fmt::print("{:<22} {:>5} {:>6} {:>5} {:>10} {:>8.4g}  {}\n", info.name, info.order,
-                   info.damped_order, info.evaluations, info.symplectic ? "yes" : "no",
-                   info.imaginary_limit, info.formula);
-        fmt::print("{:62}{}\n", "", info.reference);
+        const std::string limit = std::isinf(info.imaginary_limit)
+                                      ? "any"
+                                      : fmt::format("{:.4g}", info.imaginary_limit);
+        fmt::print("{:<22} {:>5} {:>6} {:>5} {:>10} {:>8} {:>8}  {}\n", info.name, info.order,
+                   info.damped_order,
+                   info.evaluations > 0 ? fmt::format("{}", info.evaluations) : "-",
+                   info.symplectic ? "yes" : "no", limit, auto_step_text(info), info.formula);
+        fmt::print("{:71}{}\n", "", info.reference);
     }
     if (json) {
         fmt::print("{}\n", Json{{"integrators", rows}}.dump(2));
     } else {
         fmt::print(
             "order: of the global error; damped: the same where forces depend on velocity;\n"
-            "evals: force evaluations a step; limit: stable up to dt * omega, undamped.\n");
+            "evals: force evaluations a step, -: as many as it takes; limit: stable up to dt * "
+            "omega, undamped;\nauto: the step [s] that time_step = \"auto\" takes, by stability, by "
+            "error, or for accuracy.\nmethod = \"auto\" takes velocity-verlet, or tr-bdf2 where that "
+            "costs less.\n");
     }
 }
 

@@ -29,9 +29,10 @@ SceneDescription load_scene(const SceneOptions& options) {
         overrides.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
     }
     SceneDescription scene = load_scene(options.scene, overrides);
-    if (options.frames) {
+    if (options.settle) scene.output.settle = true;
+    if (options.frames || options.settle) {
         scene.output.duration =
-            static_cast<double>(*options.frames) / scene.output.frames_per_second;
+            static_cast<double>(options.frames.value_or(0)) / scene.output.frames_per_second;
     }
     return scene;
 }
@@ -107,6 +108,9 @@ private:
         command->add_option("-o,--output", run_.directory, "Directory (default weft-out/NAME)")
             ->type_name("DIR");
         add_frames(*command, run_);
+        command->add_flag("--settle", run_.settle,
+                          "Begin at rest (output.settle = true); without --frames, record that "
+                          "alone");
         add_threads(*command, run_);
         CLI::Option* quiet =
             command->add_flag("--quiet", run_.quiet, "Say nothing unless something goes wrong");

@@ -44,8 +44,14 @@ private:
 void announce(const Simulation& simulation, const RunRecord& record) {
     const SceneDescription& scene = simulation.scene();
     fmt::print(stderr, "{}: {} particles, {}; frames: {}, steps a frame: {} of {:.4g} s\n",
-               scene.name, simulation.particle_count(), scene.integrator.method,
-               scene.frame_count(), simulation.steps_per_frame(), simulation.time_step());
+               scene.name, simulation.particle_count(), simulation.method(), scene.frame_count(),
+               simulation.steps_per_frame(), simulation.time_step());
+    if (!simulation.method_reason().empty()) {
+        fmt::print(stderr, "{} because {}\n", simulation.method(), simulation.method_reason());
+    }
+    if (simulation.settle_report()) {
+        fmt::print(stderr, "{}\n", simulation.settle_report()->message);
+    }
     for (const std::string& warning : record.warnings) fmt::print(stderr, "warning: {}\n", warning);
 }
 

@@ -59,6 +59,22 @@ Json divergence_json(const Divergence& divergence) {
     return json;
 }
 
+Json solver_json(const SolverCounts& counts) {
+    return {{"steps", counts.steps},
+            {"rejected", counts.rejected},
+            {"evaluations", counts.evaluations},
+            {"newton_iterations", counts.newton_iterations},
+            {"linear_iterations", counts.linear_iterations}};
+}
+
+Json settle_json(const SettleReport& report) {
+    return {{"converged", report.converged},
+            {"newton_iterations", report.newton_iterations},
+            {"linear_iterations", report.linear_iterations},
+            {"residual", report.residual},
+            {"relative_residual", report.relative_residual}};
+}
+
 Json energy_balance_json(const Energy& start, const Energy& end, const Work& work) {
     return {{"change_of_energy", end.total() - start.total()},
             {"work_of_dashpots", work.dashpots},
@@ -102,7 +118,12 @@ Json run_summary(const Simulation& simulation, const RunRecord& record) {
     json["steps"] = simulation.step_count();
     json["simulated_time"] = simulation.time();
     json["time_step"] = simulation.time_step();
-    const double stable = simulation.stable_step(scene.integrator.method);
+    json["method"] = simulation.method();
+    json["method_reason"] = simulation.method_reason();
+    if (!simulation.linear_solver().empty()) json["linear_solver"] = simulation.linear_solver();
+    json["solver"] = solver_json(simulation.solver_counts());
+    if (simulation.settle_report()) json["settle"] = settle_json(*simulation.settle_report());
+    const double stable = simulation.stable_step(simulation.method());
     json["stable_step"] = std::isinf(stable) ? Json("any") : Json(stable);
     json["omega_max"] = simulation.linear_analysis().omega_max;
     json["halvings"] = record.halvings;

@@ -71,7 +71,7 @@ void simulate(Simulation& simulation, RecordingQueue* queue, Progress& progress,
 
 std::vector<std::string> warnings_before(const Simulation& simulation) {
     std::vector<std::string> warnings;
-    const std::string& method = simulation.scene().integrator.method;
+    const std::string_view method = simulation.method();
     const double stable = simulation.stable_step(method);
     if (simulation.time_step() > stable) {
         warnings.push_back(

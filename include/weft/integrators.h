@@ -6,15 +6,25 @@
 
 namespace weft {
 
+/// What limits a method's step.
+enum class IntegratorKind {
+    explicit_steps,  ///< stability
+    adaptive,        ///< the error that the user allows: it chooses its steps itself
+    implicit,        ///< accuracy alone; a step is a nonlinear system, solved by Newton
+    by_springs,      ///< the same; solved by iterations that treat springs or particles one by one
+};
+
 /// A row of `weft list integrators`.
 struct IntegratorInfo {
-    std::string_view name;       ///< key in scene files: "velocity-verlet"
-    int order;                   ///< the global error is O(dt^order), for smooth forces
-    int damped_order;            ///< the same where forces depend on velocity
-    int evaluations;             ///< of the forces, per step
-    bool symplectic;             ///< energy error stays bounded for conservative forces
-    double imaginary_limit;      ///< undamped: stable up to dt * omega; 0: at no step
-    std::string_view formula;    ///< the update
+    std::string_view name;   ///< key in scene files: "velocity-verlet"
+    int order;               ///< the global error is O(dt^order), for smooth forces
+    int damped_order;        ///< the same where forces depend on velocity
+    int evaluations;         ///< of the forces, per step; 0: as many as it takes
+    bool symplectic;         ///< energy error stays bounded for conservative forces
+    double imaginary_limit;  ///< undamped: stable up to dt * omega; 0: at no step
+    IntegratorKind kind;
+    double auto_step;          ///< what time_step = "auto" takes where nothing limits it [s]; or 0
+    std::string_view formula;  ///< the update
     std::string_view reference;  ///< where it comes from
 };
 

@@ -26,6 +26,21 @@ struct Work {
     [[nodiscard]] double total() const { return dashpots + drag + air + pins; }
 };
 
+/// What the steps of a method that solves or controls itself took, over a run; zero for others.
+struct SolverCounts {
+    std::size_t steps = 0;              ///< of its own choosing, taken
+    std::size_t rejected = 0;           ///< tried, too inaccurate, repeated
+    std::size_t evaluations = 0;        ///< of the forces
+    std::size_t newton_iterations = 0;  ///< or the method's own iterations
+    std::size_t linear_iterations = 0;  ///< of the linear solvers within
+
+    friend SolverCounts operator+(const SolverCounts& a, const SolverCounts& b) {
+        return {a.steps + b.steps, a.rejected + b.rejected, a.evaluations + b.evaluations,
+                a.newton_iterations + b.newton_iterations,
+                a.linear_iterations + b.linear_iterations};
+    }
+};
+
 /// A spring and how far it is from its rest length L: strain = l / L - 1.
 struct SpringStrain {
     double strain = 0.0;

@@ -25,6 +25,8 @@ enum class BendLayout { interior, border };  ///< PHYSICS: all (i,j)-(i+2,j), or
 enum class Precision { f32, f64 };           ///< "single", "double"
 enum class OnDivergence { stop, halve_step };
 enum class GustModel { none, coefficient };
+/// Of an implicit method's linear systems; automatic: multigrid on a grid, aggregation on a mesh.
+enum class LinearSolver { automatic, multigrid, aggregation, jacobi, cholesky };
 enum class EdgeSelection {  ///< parts of a grid
     top_left,
     top_right,
@@ -140,9 +142,14 @@ struct WindDescription {
 };
 
 struct IntegratorDescription {
-    std::string method = "velocity-verlet";
+    std::string method = "auto";      ///< "auto": chosen by cost, see Simulation::method()
     std::optional<double> time_step;  ///< [s]; none: "auto", 0.9 of the stable step
     Precision precision = Precision::f32;
+    /// Of methods that control their error, the largest local error of a position; of implicit
+    /// ones, how far a particle may still move in the last iteration [m]. None: "auto".
+    std::optional<double> tolerance;
+    std::optional<int> iterations;  ///< most a step, of methods that iterate; none: "auto"
+    LinearSolver linear_solver = LinearSolver::automatic;
     OnDivergence on_divergence = OnDivergence::stop;
 };
 
@@ -151,6 +158,7 @@ struct OutputDescription {
     double frames_per_second = 30.0;
     std::vector<std::string> formats{"glb", "pc2", "mp4"};
     bool energy_balance = false;  ///< integrate the work of every force over time
+    bool settle = false;          ///< start from the state of rest
 };
 
 /// How pictures look.

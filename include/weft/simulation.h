@@ -42,6 +42,16 @@ struct [[nodiscard]] FrameReport {
     [[nodiscard]] bool ok() const { return !divergence.has_value(); }
 };
 
+/// What settling came to.
+struct SettleReport {
+    bool converged = false;
+    std::size_t newton_iterations = 0;
+    std::size_t linear_iterations = 0;
+    double residual = 0.0;           ///< largest unbalanced force on a particle [N] ...
+    double relative_residual = 0.0;  ///< ... over the mean weight of one (or the first residual)
+    std::string message;             ///< all of it in one line
+};
+
 /// The scene's cloth linearised at its start.
 struct LinearAnalysis {
     double omega_max = 0.0;      ///< largest angular frequency [1/s]
@@ -78,6 +88,15 @@ public:
     /// 0: at none; infinity: no spring limits it.
     [[nodiscard]] double stable_step(std::string_view method) const;
 
+    /// The method that runs: the scene's, or the one chosen for "auto" ...
+    [[nodiscard]] std::string_view method() const;
+    /// ... and why, in one line; empty where the scene names it.
+    [[nodiscard]] const std::string& method_reason() const;
+    /// The linear solver of an implicit method: "multigrid", ...; empty for others.
+    [[nodiscard]] std::string_view linear_solver() const;
+    /// What its steps took so far; zero for methods of fixed cost.
+    [[nodiscard]] SolverCounts solver_counts() const;
+
     [[nodiscard]] std::size_t frame() const;       ///< frames completed
     [[nodiscard]] double time() const;             ///< [s]
     [[nodiscard]] std::size_t step_count() const;  ///< steps completed
@@ -94,6 +113,18 @@ public:
     /// Replaces positions [m] and velocities [m/s] of all particles; pinned ones stay.
     /// @pre both have particle_count() elements.
     void set_state(std::span<const Vec3d> positions, std::span<const Vec3d> velocities);
+
+    /// Goes on by another method, step or solver from the present state and time.
+    /// @throws Error (usage) where check_scene() or the constructor would, and for another
+    ///         precision than the present; nothing has changed then.
+    void set_integrator(const IntegratorDescription& integrator);
+
+    /// Moves the cloth to a state of rest near the present one, where the forces of gravity,
+    /// springs and the wind at time() balance; velocities become zero.
+    /// On failure the state is as it was.
+    SettleReport settle();
+    /// What the last settle() came to, also the one of output.settle.
+    [[nodiscard]] const std::optional<SettleReport>& settle_report() const;
 
     [[nodiscard]] Energy energy() const;
     /// Work since the start; zero unless the scene sets output.energy_balance.

@@ -27,6 +27,18 @@ double ClothModel::total_mass() const {
     return std::reduce(masses.begin(), masses.end());
 }
 
+double ClothModel::mean_edge_length() const {
+    if (is_grid()) return (shape.dx + shape.dy) / 2.0;
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const Spring& spring : springs) {
+        if (spring.kind != SpringKind::structural) continue;
+        sum += spring.rest_length;
+        ++count;
+    }
+    return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
 std::string ClothModel::particle_name(std::size_t particle) const {
     if (!is_grid()) return fmt::format("{}", particle);
     return fmt::format("{} (column {}, row {})", particle, particle % shape.columns,

@@ -63,7 +63,8 @@ void Composition<Real>::kick(DynamicsSystem<Real>& system, double t, double h,
 }
 
 template <typename Real>
-void Composition<Real>::step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) {
+StepReport Composition<Real>::step(DynamicsSystem<Real>& system, double dt,
+                                   ParticleState<Real>& state) {
     double t = state.time;
     const auto drifted = [&](double fraction) {
         if (fraction == 0.0) return;
@@ -87,6 +88,7 @@ void Composition<Real>::step(DynamicsSystem<Real>& system, double dt, ParticleSt
     }
     state.time += dt;
     system.constrain(state.time, state.x.view(), state.v.view());
+    return {};
 }
 
 template class Composition<float>;

@@ -33,7 +33,7 @@ class Composition final : public Integrator<Real> {
 public:
     explicit Composition(const CompositionTable& table) : table_(table) {}
     void prepare(DynamicsSystem<Real>& system) override;
-    void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
+    StepReport step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
 
 private:
     void drift(double h, ParticleState<Real>& state) const;

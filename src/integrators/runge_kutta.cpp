@@ -1,5 +1,8 @@
 #include "integrators/runge_kutta.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "math/linear_combination.h"
 
 namespace weft {
@@ -29,17 +32,33 @@ std::complex<double> stability_function(const ButcherTable& table, std::complex<
     return end;
 }
 
+double amplification(const ButcherTable& table, double omega_dt, double zeta) {
+    const std::complex<double> root = std::sqrt(std::complex<double>(zeta * zeta - 1.0));
+    return std::max(std::abs(stability_function(table, omega_dt * (-zeta + root))),
+                    std::abs(stability_function(table, omega_dt * (-zeta - root))));
+}
+
+ButcherTable::Weights position_weights(const ButcherTable& table,
+                                       const ButcherTable::Weights& weights) {
+    constexpr double rounding = 1e-14;  // of a sum, as a part of its terms
+    const auto stages = static_cast<std::size_t>(table.stages);
+    ButcherTable::Weights sums{};
+    for (std::size_t j = 0; j < stages; ++j) {
+        double size = 0.0;
+        for (std::size_t i = 0; i < stages; ++i) {
+            sums[j] += weights[i] * table.a[i][j];
+            size += std::abs(weights[i] * table.a[i][j]);
+        }
+        if (std::abs(sums[j]) < rounding * size) sums[j] = 0.0;
+    }
+    return sums;
+}
+
 template <typename Real>
 RungeKutta<Real>::RungeKutta(const ButcherTable& table, InstructionSet instruction_set)
-    : table_(table), instruction_set_(instruction_set) {
-    const auto stages = static_cast<std::size_t>(table_.stages);
-    for (std::size_t i = 0; i < stages; ++i) {
-        for (std::size_t j = 0; j < stages; ++j) {
-            for (std::size_t k = 0; k < stages; ++k) {
-                a_squared_[i][j] += table_.a[i][k] * table_.a[k][j];
-            }
-            b_a_[j] += table_.b[i] * table_.a[i][j];
-        }
+    : table_(table), instruction_set_(instruction_set), b_a_(position_weights(table, table.b)) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(table_.stages); ++i) {
+        a_squared_[i] = position_weights(table_, table_.a[i]);
     }
 }
 
@@ -67,7 +86,8 @@ void RungeKutta<Real>::combine(const ParticleState<Real>& state, double h, doubl
 }
 
 template <typename Real>
-void RungeKutta<Real>::step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) {
+StepReport RungeKutta<Real>::step(DynamicsSystem<Real>& system, double dt,
+                                  ParticleState<Real>& state) {
     system.acceleration(state.time, state.x.view(), state.v.view(), slopes_[0].view());
     for (std::size_t i = 1; i < static_cast<std::size_t>(table_.stages); ++i) {
         const double t = state.time + table_.c[i] * dt;
@@ -78,6 +98,7 @@ void RungeKutta<Real>::step(DynamicsSystem<Real>& system, double dt, ParticleSta
     combine(state, dt, 1.0, b_a_, table_.b, state.x, state.v);
     state.time += dt;
     system.constrain(state.time, state.x.view(), state.v.view());
+    return {};
 }
 
 template class RungeKutta<float>;

@@ -13,16 +13,26 @@ namespace weft {
 /// An explicit Runge-Kutta method: stage i is at t + c_i h, from the stages j < i with weights
 /// a_ij; the step ends with weights b.
 struct ButcherTable {
-    static constexpr int max_stages = 4;
+    static constexpr int max_stages = 7;
+    using Weights = std::array<double, max_stages>;
     int stages = 0;
-    std::array<std::array<double, max_stages>, max_stages> a{};
-    std::array<double, max_stages> b{}, c{};
+    std::array<Weights, max_stages> a{};
+    Weights b{}, c{};
 };
 
 extern const ButcherTable forward_euler_table, midpoint_table, kutta3_table, classical4_table;
 
 /// R(z) = 1 + z b^T (I - z A)^-1 1, the growth per step on y' = lambda y with z = h lambda.
 std::complex<double> stability_function(const ButcherTable& table, std::complex<double> z);
+
+/// The larger |R| of the two roots of x'' = -omega^2 x - 2 zeta omega x'.
+double amplification(const ButcherTable& table, double omega_dt, double zeta);
+
+/// w^T A, which makes slopes of x out of accelerations: with V_i = v + h sum a_ij a_j,
+///     sum w_i V_i = (sum w_i) v + h sum (w^T A)_j a_j.
+/// What cancels but for rounding is zero.
+ButcherTable::Weights position_weights(const ButcherTable& table,
+                                       const ButcherTable::Weights& weights);
 
 /// Runs a table on (x, v)' = (v, a(t, x, v)). Since the stage slope of x is the stage's v, only the
 /// accelerations a_j are kept:
@@ -33,10 +43,10 @@ class RungeKutta final : public Integrator<Real> {
 public:
     RungeKutta(const ButcherTable& table, InstructionSet instruction_set);
     void prepare(DynamicsSystem<Real>& system) override;
-    void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
+    StepReport step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
 
 private:
-    using Weights = std::array<double, ButcherTable::max_stages>;
+    using Weights = ButcherTable::Weights;
     // out_x = x + h c v + h^2 sum xw_j a_j,  out_v = v + h sum vw_j a_j
     void combine(const ParticleState<Real>& state, double h, double c, const Weights& x_weights,
                  const Weights& v_weights, Vec3Array<Real>& out_x, Vec3Array<Real>& out_v) const;

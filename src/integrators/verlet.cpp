@@ -35,8 +35,8 @@ void PositionVerlet<Real>::start(DynamicsSystem<Real>& system, double dt,
 }
 
 template <typename Real>
-void PositionVerlet<Real>::step(DynamicsSystem<Real>& system, double dt,
-                                ParticleState<Real>& state) {
+StepReport PositionVerlet<Real>::step(DynamicsSystem<Real>& system, double dt,
+                                      ParticleState<Real>& state) {
     if (last_step_ == 0.0 || (!time_corrected_ && last_step_ != dt)) start(system, dt, state);
     const Real ratio = static_cast<Real>(dt / last_step_);
     const Real a_weight = static_cast<Real>(dt * (dt + last_step_) / 2);
@@ -68,6 +68,7 @@ void PositionVerlet<Real>::step(DynamicsSystem<Real>& system, double dt,
     });
     system.constrain(state.time, state.x.view(), state.v.view());
     last_step_ = dt;
+    return {};
 }
 
 template <typename Real>
@@ -84,8 +85,8 @@ void VelocityVerlet<Real>::restore(const History& history) {
 }
 
 template <typename Real>
-void VelocityVerlet<Real>::step(DynamicsSystem<Real>& system, double dt,
-                                ParticleState<Real>& state) {
+StepReport VelocityVerlet<Real>::step(DynamicsSystem<Real>& system, double dt,
+                                      ParticleState<Real>& state) {
     if (!started_) {
         system.acceleration(state.time, state.x.view(), state.v.view(), a_.view());
         started_ = true;
@@ -93,7 +94,7 @@ void VelocityVerlet<Real>::step(DynamicsSystem<Real>& system, double dt,
     if (VerletPass<Real>* const pass = system.verlet_pass()) {
         pass->verlet(state.time, dt, state.x.view(), state.v.view(), a_.view());
         state.time += dt;
-        return;
+        return {};
     }
     const Real h = static_cast<Real>(dt), half_h = static_cast<Real>(dt / 2);
     const Real half_h2 = static_cast<Real>(dt * dt / 2);
@@ -115,6 +116,7 @@ void VelocityVerlet<Real>::step(DynamicsSystem<Real>& system, double dt,
     });
     std::swap(a_, a_next_);
     system.constrain(state.time, state.x.view(), state.v.view());
+    return {};
 }
 
 double position_verlet_amplification(double omega_dt, double zeta) {

@@ -23,7 +23,7 @@ public:
     /// @param time_corrected false: a change of step starts the method anew from x and v.
     explicit PositionVerlet(bool time_corrected) : time_corrected_(time_corrected) {}
     void prepare(DynamicsSystem<Real>& system) override;
-    void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
+    StepReport step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
     void restart() override { last_step_ = 0.0; }
     void save(History& history) const override {
         history.arrays.resize(2);  // copied into the same memory frame after frame
@@ -50,7 +50,7 @@ public:
     using History = typename Integrator<Real>::History;
 
     void prepare(DynamicsSystem<Real>& system) override;
-    void step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
+    StepReport step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
     void restart() override { started_ = false; }
     void save(History& history) const override {
         history.arrays.resize(1);

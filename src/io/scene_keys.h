@@ -26,6 +26,7 @@ using SceneField =
     std::variant<std::monostate, SceneAccess<bool>, SceneAccess<double>, SceneAccess<std::uint64_t>,
                  SceneAccess<std::string>, SceneAccess<Vec3d>, SceneAccess<std::array<double, 2>>,
                  SceneAccess<std::array<int, 2>>, SceneAccess<std::optional<double>>,
+                 SceneAccess<std::optional<int>>, SceneAccess<LinearSolver>,
                  SceneAccess<std::optional<Vec3d>>, SceneAccess<std::vector<std::string>>,
                  SceneAccess<Plane>, SceneAccess<StiffnessPer>, SceneAccess<BendLayout>,
                  SceneAccess<Precision>, SceneAccess<OnDivergence>, SceneAccess<GustModel>,

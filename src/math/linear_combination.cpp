@@ -65,8 +65,12 @@ HWY_INLINE void combine(const LinearCombination<Real>& sum, std::size_t begin, s
             return combine_inputs<4>(sum, begin, end);
         case 5:
             return combine_inputs<5>(sum, begin, end);
-        default:
+        case 6:
             return combine_inputs<6>(sum, begin, end);
+        case 7:
+            return combine_inputs<7>(sum, begin, end);
+        default:
+            return combine_inputs<8>(sum, begin, end);
     }
 }
 

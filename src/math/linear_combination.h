@@ -16,7 +16,7 @@ namespace weft {
 template <typename Real>
 class LinearCombination {
 public:
-    static constexpr std::size_t max_inputs = 6, max_outputs = 2;
+    static constexpr std::size_t max_inputs = 8, max_outputs = 2;
 
     /// @param outputs all of one size.
     explicit LinearCombination(Vec3Array<Real>& output) : outputs_{&output, nullptr} {}

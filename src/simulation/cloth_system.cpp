@@ -20,7 +20,11 @@ constexpr std::size_t triangle_grain = 4096;
 template <typename Real>
 ClothSystem<Real>::ClothSystem(const ClothModel& cloth, const SceneDescription& scene,
                                InstructionSet instruction_set, int threads)
-    : cloth_(cloth), description_(scene.forces) {
+    : cloth_(cloth),
+      scene_(scene),
+      instruction_set_(instruction_set),
+      threads_(threads),
+      description_(scene.forces) {
     inverse_masses_.assign(cloth.layout.slot_count(), Real{0});
     cloth.layout.for_each([&](std::size_t p, std::size_t slot) {
         inverse_masses_[slot] = static_cast<Real>(1 / cloth.masses[p]);
@@ -46,22 +50,25 @@ ClothSystem<Real>::ClothSystem(const ClothModel& cloth, const SceneDescription& 
 }
 
 template <typename Real>
-void ClothSystem<Real>::add_forces(Vec3<Real> wind, ConstVec3View<Real> x, ConstVec3View<Real> v,
-                                   Vec3View<Real> f, std::size_t begin, std::size_t end) const {
+void ClothSystem<Real>::add_forces(Kinds kinds, Vec3<Real> wind, ConstVec3View<Real> x,
+                                   ConstVec3View<Real> v, Vec3View<Real> f, std::size_t begin,
+                                   std::size_t end) const {
     const Real c = static_cast<Real>(description_.damping);
     const std::size_t row = cloth_.is_grid() ? cloth_.layout.row_stride() : 1;
     for (std::size_t s = begin * row; s < end * row; ++s) f.x[s] = -c * v.x[s];
     for (std::size_t s = begin * row; s < end * row; ++s) f.y[s] = -c * v.y[s];
     for (std::size_t s = begin * row; s < end * row; ++s) f.z[s] = -c * v.z[s];
-    if (grid_springs_) grid_springs_->add_forces(x, v, f, begin, end);
-    if (mesh_springs_) mesh_springs_->add_forces(x, v, f, begin, end);
+    if (kinds == Kinds::all) {
+        if (grid_springs_) grid_springs_->add_forces(x, v, f, begin, end);
+        if (mesh_springs_) mesh_springs_->add_forces(x, v, f, begin, end);
+    }
     if (grid_air_) grid_air_->add_forces(wind, x, v, f, begin, end);
     if (mesh_air_) mesh_air_->add_forces(f, begin, end);
 }
 
 template <typename Real>
 template <typename Finish>
-void ClothSystem<Real>::forces(double t, ConstVec3View<Real> x, ConstVec3View<Real> v,
+void ClothSystem<Real>::forces(Kinds kinds, double t, ConstVec3View<Real> x, ConstVec3View<Real> v,
                                Vec3View<Real> f, const Finish& finish) {
     const Vec3<Real> wind = wind_at(t);
     if (mesh_air_) {
@@ -75,7 +82,7 @@ void ClothSystem<Real>::forces(double t, ConstVec3View<Real> x, ConstVec3View<Re
     const std::size_t grain = std::max<std::size_t>(particle_grain / row, 1);
     parallel_for(grid ? cloth_.shape.rows : cloth_.layout.slot_count(), grain,
                  [&](std::size_t begin, std::size_t end) {
-                     add_forces(wind, x, v, f, begin, end);
+                     add_forces(kinds, wind, x, v, f, begin, end);
                      finish(begin * row, end * row);
                  });
 }
@@ -85,9 +92,46 @@ void ClothSystem<Real>::acceleration(double t, ConstVec3View<Real> x, ConstVec3V
                                      Vec3View<Real> a) {
     if (grid_kernel_) return grid_kernel_->accelerate(wind_at(t), x, v, a);
     if (mesh_kernel_) return mesh_kernel_->accelerate(wind_at(t), x, v, a);
+    twin_acceleration(Kinds::all, t, x, v, a);
+}
+
+template <typename Real>
+void ClothSystem<Real>::external_acceleration(double t, ConstVec3View<Real> x,
+                                              ConstVec3View<Real> v, Vec3View<Real> a) {
+    twin_acceleration(Kinds::without_springs, t, x, v, a);
+}
+
+template <typename Real>
+const SpringNetwork* ClothSystem<Real>::spring_network() {
+    if (!spring_network_) {
+        spring_network_ = std::make_unique<SpringNetwork>(weft::spring_network(cloth_));
+    }
+    return spring_network_.get();
+}
+
+template <typename Real>
+ClothImplicitSystem* ClothSystem<Real>::implicit_system() {
+    if (implicit_system_) return implicit_system_.get();
+    const auto make = [&](DynamicsSystem<double>& forces) {
+        implicit_system_ = std::make_unique<ClothImplicitSystem>(cloth_, scene_, forces,
+                                                                 instruction_set_, threads_);
+    };
+    if constexpr (std::is_same_v<Real, double>) {
+        make(*this);
+    } else {
+        forces_in_double_ =
+            std::make_unique<ClothSystem<double>>(cloth_, scene_, instruction_set_, threads_);
+        make(*forces_in_double_);
+    }
+    return implicit_system_.get();
+}
+
+template <typename Real>
+void ClothSystem<Real>::twin_acceleration(Kinds kinds, double t, ConstVec3View<Real> x,
+                                          ConstVec3View<Real> v, Vec3View<Real> a) {
     const Vec3<Real> g = vec3_cast<Real>(description_.gravity);
     const Real* w = inverse_masses_.data();
-    forces(t, x, v, a, [&](std::size_t begin, std::size_t end) {
+    forces(kinds, t, x, v, a, [&](std::size_t begin, std::size_t end) {
         const auto accelerate = [&](Real* component, Real gravity) {
             for (std::size_t s = begin; s < end; ++s) {
                 component[s] = w[s] > 0 ? gravity + w[s] * component[s] : Real{0};
@@ -156,7 +200,7 @@ Work ClothSystem<Real>::power(double t, ConstVec3View<Real> x, ConstVec3View<Rea
     power.drag = drag_power(cloth_, description_, v);
     if (!wind_ && cloth_.motions.empty()) return power;
     if (forces_.size() == 0) forces_ = Vec3Array<Real>(cloth_.layout.slot_count());
-    forces(t, x, v, forces_.view(), [](std::size_t, std::size_t) {});
+    forces(Kinds::all, t, x, v, forces_.view(), [](std::size_t, std::size_t) {});
     power.pins = pin_power(t, std::as_const(forces_).view());
     if (mesh_air_) power.air = mesh_air_->power(v);
     if (grid_air_) {

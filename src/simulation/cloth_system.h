@@ -1,6 +1,7 @@
 // The cloth as a second-order system: a(t, x, v) from all forces, and the pins.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "forces/mesh_kernel.h"
 #include "forces/mesh_springs.h"
 #include "integrators/dynamics_system.h"
+#include "simulation/cloth_implicit_system.h"
 #include "weft/measures.h"
 
 namespace weft {
@@ -21,7 +23,7 @@ class ClothSystem final : public DynamicsSystem<Real>,
                           private KickDriftPass<Real>,
                           private VerletPass<Real> {
 public:
-    /// @param cloth outlives the system.
+    /// @param cloth, scene outlive the system.
     /// @param threads that loops may be shared by.
     ClothSystem(const ClothModel& cloth, const SceneDescription& scene,
                 InstructionSet instruction_set = chosen_instruction_set(), int threads = 1);
@@ -34,6 +36,12 @@ public:
         return grid_kernel_ || mesh_kernel_ ? this : nullptr;
     }
     [[nodiscard]] VerletPass<Real>* verlet_pass() override { return grid_kernel_ ? this : nullptr; }
+    [[nodiscard]] ClothImplicitSystem* implicit_system() override;
+    /// The next implicit_system() is made anew, with the scene's linear solver of then.
+    void forget_implicit_system() { implicit_system_.reset(); }
+    [[nodiscard]] const SpringNetwork* spring_network() override;
+    void external_acceleration(double t, ConstVec3View<Real> x, ConstVec3View<Real> v,
+                               Vec3View<Real> a) override;
 
     /// Rates of work of what has no energy [W], in the fields of Work.
     Work power(double t, ConstVec3View<Real> x, ConstVec3View<Real> v);
@@ -43,16 +51,24 @@ private:
                     Vec3View<Real> v) override;
     void verlet(double t, double h, Vec3View<Real> x, Vec3View<Real> v, Vec3View<Real> a) override;
 
+    // Which forces, besides gravity.
+    enum class Kinds { all, without_springs };
+
     [[nodiscard]] Vec3<Real> wind_at(double t) const;
     // f = everything but gravity: -c v, springs, air; on rows of a grid or slots of a mesh.
-    void add_forces(Vec3<Real> wind, ConstVec3View<Real> x, ConstVec3View<Real> v, Vec3View<Real> f,
-                    std::size_t begin, std::size_t end) const;
+    void add_forces(Kinds kinds, Vec3<Real> wind, ConstVec3View<Real> x, ConstVec3View<Real> v,
+                    Vec3View<Real> f, std::size_t begin, std::size_t end) const;
     template <typename Finish>
-    void forces(double t, ConstVec3View<Real> x, ConstVec3View<Real> v, Vec3View<Real> f,
-                const Finish& finish);
+    void forces(Kinds kinds, double t, ConstVec3View<Real> x, ConstVec3View<Real> v,
+                Vec3View<Real> f, const Finish& finish);
+    void twin_acceleration(Kinds kinds, double t, ConstVec3View<Real> x, ConstVec3View<Real> v,
+                           Vec3View<Real> a);
     double pin_power(double t, ConstVec3View<Real> f) const;
 
     const ClothModel& cloth_;
+    const SceneDescription& scene_;
+    InstructionSet instruction_set_;
+    int threads_;
     ForcesDescription description_;
     std::optional<WindDescription> wind_;
     std::vector<Real> inverse_masses_;             ///< [slot], 0: pinned or padding [1/kg]
@@ -65,6 +81,10 @@ private:
     std::optional<MeshAir<Real>> mesh_air_;
     std::vector<PinTarget<Real>> moving_pins_;  ///< by rising slot, as verlet() last put them
     Vec3Array<Real> forces_;                    ///< for power() with moving pins or air only
+    // Where asked for:
+    std::unique_ptr<SpringNetwork> spring_network_;
+    std::unique_ptr<ClothSystem<double>> forces_in_double_;  ///< of a system in float
+    std::unique_ptr<ClothImplicitSystem> implicit_system_;
 };
 
 extern template class ClothSystem<float>;

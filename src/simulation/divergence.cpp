@@ -36,8 +36,7 @@ template std::optional<Divergence> find_divergence(const ClothModel&, const Part
 template std::optional<Divergence> find_divergence(const ClothModel&, const ParticleState<double>&,
                                                    const StrainCheck&);
 
-void describe_divergence(Divergence& divergence, const ClothModel& cloth,
-                         const SceneDescription& scene) {
+void describe_divergence(Divergence& divergence, const ClothModel& cloth, std::string_view method) {
     const std::string where =
         divergence.particle
             ? fmt::format("particle {} is no longer at a finite place",
@@ -47,15 +46,19 @@ void describe_divergence(Divergence& divergence, const ClothModel& cloth,
                   "length",
                   divergence.spring->kind, cloth.particle_name(divergence.spring->p),
                   cloth.particle_name(divergence.spring->q), divergence.spring->strain + 1);
-    divergence.message =
-        fmt::format("{} diverged in step {} at t = {:.6g} s: {}", scene.integrator.method,
-                    divergence.step, divergence.time, where);
+    divergence.message = fmt::format("{} diverged in step {} at t = {:.6g} s: {}", method,
+                                     divergence.step, divergence.time, where);
     if (divergence.stable_step <= 0.0) {
         divergence.advice = fmt::format(
             "{} is stable at no step without damping: choose another method (velocity-verlet, "
             "rk4), "
             "or give the springs damping.",
-            scene.integrator.method);
+            method);
+    } else if (std::isinf(divergence.stable_step)) {
+        divergence.advice = fmt::format(
+            "Every step is stable with {}; the forces are too large for {:.4g} s (wind, moving "
+            "pins, a violent start). Try a smaller integrator.time_step or integrator.tolerance.",
+            method, divergence.time_step);
     } else if (divergence.time_step > divergence.stable_step) {
         divergence.advice = fmt::format(
             "The step was {:.4g} s; up to {:.4g} s would have been stable. Set "

@@ -18,7 +18,6 @@ std::optional<Divergence> find_divergence(const ClothModel& cloth, const Particl
                                           const StrainCheck& check);
 
 /// Fills in message and advice.
-void describe_divergence(Divergence& divergence, const ClothModel& cloth,
-                         const SceneDescription& scene);
+void describe_divergence(Divergence& divergence, const ClothModel& cloth, std::string_view method);
 
 }  // namespace weft

@@ -9,6 +9,7 @@
 #include "integrators/integrator.h"
 #include "simulation/cloth_system.h"
 #include "simulation/divergence.h"
+#include "simulation/settle.h"
 #include "simulation/stability.h"
 #include "weft/error.h"
 #include "weft/integrators.h"
@@ -17,17 +18,9 @@ namespace weft {
 
 namespace {
 
-constexpr double auto_fraction = 0.9;  // of the stable step
-constexpr int max_halvings = 12;       // of the step, over a run
+constexpr int max_halvings = 12;  // of the step, over a run
 constexpr std::size_t frames_between_estimates = 8;
 constexpr int products_per_estimate = 2;
-
-// Smallest whole number of steps in a frame that keeps each at most dt; a step that fits a whole
-// number of times but for rounding is taken at that number.
-std::size_t steps_for(double frame_length, double dt) {
-    const double steps = std::ceil(frame_length / dt * (1.0 - 1e-12));
-    return static_cast<std::size_t>(std::clamp(steps, 1.0, 1e12));
-}
 
 Work operator+(const Work& a, const Work& b) {
     return {a.dashpots + b.dashpots, a.drag + b.drag, a.air + b.air, a.pins + b.pins};
@@ -47,6 +40,20 @@ public:
     void capture(FrameBuffer& buffer, FrameNeeds needs) const override;
     void set_state(std::span<const Vec3d> x, std::span<const Vec3d> v) override;
 
+    void change_integrator() override;
+    SettleReport settle() override;
+    [[nodiscard]] const std::optional<SettleReport>& settle_report() const override {
+        return settle_report_;
+    }
+    [[nodiscard]] const MethodChoice& method() const override { return method_; }
+    [[nodiscard]] std::string_view linear_solver() override {
+        return find_integrator(method_.method)->kind == IntegratorKind::implicit
+                   ? system_.implicit_system()->solver_name()
+                   : std::string_view{};
+    }
+    [[nodiscard]] SolverCounts solver_counts() const override {
+        return counts_before_ + integrator_->counts();
+    }
     [[nodiscard]] LinearAnalysis linear_analysis() const override;
     [[nodiscard]] double stable_step(std::string_view method) const override {
         return modes_.stable_step(method);
@@ -75,9 +82,21 @@ private:
         return static_cast<double>(frame) / scene_.output.frames_per_second;
     }
     [[nodiscard]] bool is_auto() const { return !scene_.integrator.time_step.has_value(); }
-    [[nodiscard]] std::size_t auto_steps() const;
+    // Whether the step is kept stable while the cloth moves.
+    [[nodiscard]] bool follows_stability() const {
+        return is_auto() && find_integrator(method_.method)->kind == IntegratorKind::explicit_steps;
+    }
+    [[nodiscard]] std::optional<double> tolerance_of(const std::string& method) const;
+    [[nodiscard]] std::size_t steps_of(const std::string& method) const;
     void keep_stable();
-    void run_steps(std::size_t count, std::size_t steps_per_frame);
+    std::optional<StepFailure> run_steps(std::size_t count, std::size_t steps_per_frame);
+    Divergence describe_failure(const StepFailure& failure) const;
+    [[nodiscard]] bool may_halve() const {
+        return (is_auto() || scene_.integrator.on_divergence == OnDivergence::halve_step) &&
+               find_integrator(method_.method)->kind != IntegratorKind::adaptive;
+    }
+    void start_at_rest();
+    void state_changed();
     void save();
     void go_back();
     std::optional<Divergence> find_divergence();
@@ -85,13 +104,17 @@ private:
 
     const ClothModel& cloth_;
     const SceneDescription& scene_;
+    EngineOptions options_;
     ClothSystem<Real> system_;
     std::unique_ptr<Integrator<Real>> integrator_;
     ParticleState<Real> state_;
     mutable ClothMeasures<Real> measures_;             // its scratch memory changes
     mutable std::optional<StrainCheck> strain_check_;  // of the present state, where known
     StabilityModes modes_;
-    std::optional<StabilityAnalysis<Real>> analysis_;  // under "auto" only
+    MethodChoice method_;
+    SolverCounts counts_before_;  // of integrators before the present one
+    std::optional<SettleReport> settle_report_;
+    std::optional<StabilityAnalysis<Real>> analysis_;  // while the step follows it
     std::size_t frame_ = 0, step_count_ = 0, steps_per_frame_ = 1;
     int halvings_ = 0;
     Work work_, last_power_;
@@ -108,8 +131,8 @@ ClothEngine<Real>::ClothEngine(const ClothModel& cloth, const SceneDescription& 
                                const EngineOptions& options)
     : cloth_(cloth),
       scene_(scene),
+      options_(options),
       system_(cloth, scene, options.instruction_set, options.threads),
-      integrator_(make_integrator<Real>(scene.integrator.method, options.instruction_set)),
       measures_(cloth, scene.forces, options.instruction_set) {
     state_.x = Vec3Array<Real>(cloth.layout.slot_count());
     state_.v = Vec3Array<Real>(cloth.layout.slot_count());
@@ -119,23 +142,61 @@ ClothEngine<Real>::ClothEngine(const ClothModel& cloth, const SceneDescription& 
     system_.constrain(0.0, state_.x.view(), state_.v.view());
     analysis_.emplace(cloth, scene.forces, options.instruction_set, options.threads);
     modes_ = analysis_->find(std::as_const(state_.x).view());
-    if (!is_auto()) analysis_.reset();
-    steps_per_frame_ =
-        is_auto() ? auto_steps() : steps_for(frame_length(), *scene.integrator.time_step);
+    change_integrator();
+    if (scene.output.settle) start_at_rest();
+}
+
+template <typename Real>
+void ClothEngine<Real>::start_at_rest() {
+    const SettleReport report = settle();
+    if (report.converged) return;
+    throw Error(ErrorKind::diverged, {.file = scene_.file, .key = "output.settle"}, report.message,
+                "Steady wind may keep a cloth from any rest; try output.settle = false, or "
+                "integrator.linear_solver = \"cholesky\".");
+}
+
+template <typename Real>
+void ClothEngine<Real>::change_integrator() {
+    const MethodChoice choice = choose_method(scene_, cloth_, modes_);
+    steps_per_frame_ = steps_of(choice.method);  // may throw: before anything changes
+    if (integrator_) counts_before_ = solver_counts();
+    method_ = choice;
+    system_.forget_implicit_system();
+    const IntegratorDescription& chosen = scene_.integrator;
+    integrator_ = make_integrator<Real>(
+        method_.method, {options_.instruction_set, tolerance_of(method_.method), chosen.iterations,
+                         chosen.time_step});
     integrator_->prepare(system_);
+    if (follows_stability() && !analysis_) {
+        analysis_.emplace(cloth_, scene_.forces, options_.instruction_set, options_.threads);
+        modes_ = analysis_->find(std::as_const(state_.x).view());
+    } else if (!follows_stability()) {
+        analysis_.reset();
+    }
+    power_known_ = false;
     save();
 }
 
 template <typename Real>
-std::size_t ClothEngine<Real>::auto_steps() const {
-    const double limit = modes_.stable_step(scene_.integrator.method);
-    if (limit <= 0.0) {
+std::optional<double> ClothEngine<Real>::tolerance_of(const std::string& method) const {
+    constexpr double of_mean_edge = 1e-2;
+    if (scene_.integrator.tolerance) return scene_.integrator.tolerance;
+    if (find_integrator(method)->kind == IntegratorKind::adaptive) return std::nullopt;
+    return of_mean_edge * cloth_.mean_edge_length();
+}
+
+template <typename Real>
+std::size_t ClothEngine<Real>::steps_of(const std::string& method) const {
+    if (find_integrator(method)->kind == IntegratorKind::adaptive) return 1;
+    if (!is_auto()) return steps_in_frame(frame_length(), *scene_.integrator.time_step);
+    const std::size_t steps = automatic_steps(scene_, method, modes_);
+    if (steps == 0) {
         throw scene_error("integrator.time_step", "\"auto\"",
                           fmt::format("{} is stable at no step on this undamped cloth: give a step "
                                       "in seconds, damping, or another method",
-                                      scene_.integrator.method));
+                                      method));
     }
-    return steps_for(frame_length(), auto_fraction * limit);
+    return steps;
 }
 
 template <typename Real>
@@ -148,16 +209,17 @@ LinearAnalysis ClothEngine<Real>::linear_analysis() const {
 // Under "auto", follows the largest frequency while the cloth stretches, and refines the step.
 template <typename Real>
 void ClothEngine<Real>::keep_stable() {
-    if (!is_auto() || frame_ == 0 || frame_ % frames_between_estimates != 0) return;
+    if (!follows_stability() || frame_ == 0 || frame_ % frames_between_estimates != 0) return;
     const double squared = analysis_->follow(std::as_const(state_.x).view(), products_per_estimate);
     Mode& fastest = modes_.modes.front();
     if (!(squared > fastest.omega * fastest.omega)) return;
     fastest.omega = std::sqrt(squared);
-    steps_per_frame_ = std::max(steps_per_frame_, auto_steps());
+    steps_per_frame_ = std::max(steps_per_frame_, steps_of(method_.method));
 }
 
 template <typename Real>
-void ClothEngine<Real>::run_steps(std::size_t count, std::size_t steps_per_frame) {
+std::optional<StepFailure> ClothEngine<Real>::run_steps(std::size_t count,
+                                                        std::size_t steps_per_frame) {
     const double dt = frame_length() / static_cast<double>(steps_per_frame);
     const bool balance = scene_.output.energy_balance;
     const auto power = [&] {
@@ -167,7 +229,8 @@ void ClothEngine<Real>::run_steps(std::size_t count, std::size_t steps_per_frame
     if (balance && !power_known_) last_power_ = power();
     power_known_ = balance;
     for (std::size_t n = 1; n <= count; ++n) {
-        integrator_->step(system_, dt, state_);
+        StepReport report = integrator_->step(system_, dt, state_);
+        if (!report.ok()) return std::move(report.failure);
         // From the frame's number, so that rounding does not add up over a long run.
         state_.time = n == steps_per_frame ? frame_time(frame_ + 1)
                                            : frame_time(frame_) + static_cast<double>(n) * dt;
@@ -177,6 +240,7 @@ void ClothEngine<Real>::run_steps(std::size_t count, std::size_t steps_per_frame
             last_power_ = now;
         }
     }
+    return std::nullopt;
 }
 
 template <typename Real>
@@ -215,7 +279,7 @@ Divergence ClothEngine<Real>::trace_divergence(std::size_t steps_per_frame, bool
     go_back();
     if (restarted) integrator_->restart();
     while (!found && step < steps_per_frame) {
-        integrator_->step(system_, dt, state_);
+        (void)integrator_->step(system_, dt, state_);  // as it went before
         ++step;
         state_.time = frame_time(frame_) + static_cast<double>(step) * dt;
         found = find_divergence();
@@ -223,10 +287,53 @@ Divergence ClothEngine<Real>::trace_divergence(std::size_t steps_per_frame, bool
     found->step = step_count_ + step;
     found->time = state_.time;
     found->time_step = dt;
-    found->stable_step = modes_.stable_step(scene_.integrator.method);
-    describe_divergence(*found, cloth_, scene_);
-    go_back();
+    found->stable_step = modes_.stable_step(method_.method);
+    describe_divergence(*found, cloth_, method_.method);
     return *found;
+}
+
+// A step that could not be made, told as a divergence. state_.time is where it began.
+template <typename Real>
+Divergence ClothEngine<Real>::describe_failure(const StepFailure& failure) const {
+    Divergence divergence;
+    divergence.time_step = frame_length() / static_cast<double>(steps_per_frame_);
+    divergence.time = state_.time;
+    divergence.step = step_count_ + 1 +
+                      static_cast<std::size_t>(
+                          std::llround((state_.time - frame_time(frame_)) / divergence.time_step));
+    divergence.stable_step = modes_.stable_step(method_.method);
+    divergence.message =
+        fmt::format("{} cannot make step {}: {}", method_.method, divergence.step, failure.reason);
+    divergence.advice = failure.advice;
+    return divergence;
+}
+
+template <typename Real>
+SettleReport ClothEngine<Real>::settle() {
+    ImplicitSystem& system = *system_.implicit_system();
+    Vec3Array<double> x(cloth_.layout.slot_count());
+    cloth_.layout.for_each(
+        [&](std::size_t, std::size_t slot) { x.set(slot, vec3_cast<double>(state_.x[slot])); });
+    const double weight = length(scene_.forces.gravity) * cloth_.total_mass() /
+                          static_cast<double>(cloth_.particle_count);
+    settle_report_ = weft::settle(system, state_.time, weight, {}, x.view());
+    if (settle_report_->converged) {
+        cloth_.layout.for_each(
+            [&](std::size_t, std::size_t slot) { state_.x.set(slot, vec3_cast<Real>(x[slot])); });
+        state_.v.fill_zero();
+        state_changed();
+    }
+    return *settle_report_;
+}
+
+// After others than the integrator moved the cloth.
+template <typename Real>
+void ClothEngine<Real>::state_changed() {
+    system_.constrain(state_.time, state_.x.view(), state_.v.view());
+    strain_check_.reset();
+    integrator_->restart();
+    power_known_ = false;
+    save();
 }
 
 template <typename Real>
@@ -234,14 +341,14 @@ FrameReport ClothEngine<Real>::advance_frame() {
     keep_stable();
     FrameReport report;
     while (true) {
-        run_steps(steps_per_frame_, steps_per_frame_);
+        const std::optional<StepFailure> failure = run_steps(steps_per_frame_, steps_per_frame_);
         report.steps = steps_per_frame_;
         report.time_step = frame_length() / static_cast<double>(steps_per_frame_);
-        if (!find_divergence()) break;
-        const bool may_halve =
-            is_auto() || scene_.integrator.on_divergence == OnDivergence::halve_step;
-        if (!may_halve || halvings_ == max_halvings) {
-            report.divergence = trace_divergence(steps_per_frame_, report.halvings > 0);
+        if (!failure && !find_divergence()) break;
+        if (!may_halve() || halvings_ == max_halvings) {
+            report.divergence = failure ? describe_failure(*failure)
+                                        : trace_divergence(steps_per_frame_, report.halvings > 0);
+            go_back();
             return report;
         }
         go_back();
@@ -278,11 +385,7 @@ void ClothEngine<Real>::set_state(std::span<const Vec3d> x, std::span<const Vec3
         state_.x.set(slot, vec3_cast<Real>(x[p]));
         state_.v.set(slot, vec3_cast<Real>(v[p]));
     });
-    system_.constrain(state_.time, state_.x.view(), state_.v.view());
-    strain_check_.reset();
-    integrator_->restart();
-    power_known_ = false;
-    save();
+    state_changed();
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "cloth/cloth_model.h"
 #include "math/instruction_sets.h"
+#include "simulation/method_choice.h"
 #include "weft/simulation.h"
 
 namespace weft {
@@ -18,6 +19,15 @@ public:
     virtual void capture(FrameBuffer& buffer, FrameNeeds needs) const = 0;
     virtual void set_state(std::span<const Vec3d> x, std::span<const Vec3d> v) = 0;
 
+    /// Goes on as scene.integrator now says, from the present state.
+    /// @throws Error (usage) as Simulation's constructor; the engine is as before.
+    virtual void change_integrator() = 0;
+    virtual SettleReport settle() = 0;
+    [[nodiscard]] virtual const std::optional<SettleReport>& settle_report() const = 0;
+
+    [[nodiscard]] virtual const MethodChoice& method() const = 0;
+    [[nodiscard]] virtual std::string_view linear_solver() = 0;
+    [[nodiscard]] virtual SolverCounts solver_counts() const = 0;
     [[nodiscard]] virtual LinearAnalysis linear_analysis() const = 0;
     [[nodiscard]] virtual double stable_step(std::string_view method) const = 0;
     [[nodiscard]] virtual std::size_t frame() const = 0;

@@ -55,9 +55,11 @@ void require_finite(const std::string& key, Vec3d value) {
 }
 
 /// Refuses a name that is not in a catalogue, with the nearest one that is.
+/// @param others names that are allowed besides.
 template <typename Catalogue>
-void require_known(const std::string& key, const std::string& name, const Catalogue& catalogue) {
-    std::vector<std::string_view> names;
+void require_known(const std::string& key, const std::string& name, const Catalogue& catalogue,
+                   std::vector<std::string_view> others = {}) {
+    std::vector<std::string_view>& names = others;
     for (const auto& row : catalogue) names.push_back(row.name);
     if (std::find(names.begin(), names.end(), name) != names.end()) return;
     throw scene_error(key, in_quotes(name),
@@ -190,19 +192,41 @@ void check_forces(const SceneDescription& scene) {
 
 void check_times(const IntegratorDescription& integrator, const OutputDescription& output) {
     constexpr double most = 1e9;  // frames in a run, and steps in a frame: both are counted
-    require_known("integrator.method", integrator.method, integrator_catalogue());
+    require_known("integrator.method", integrator.method, integrator_catalogue(), {"auto"});
     require_not_negative("output.duration", output.duration);
     require_positive("output.frames_per_second", output.frames_per_second);
     require(
         output.duration * output.frames_per_second <= most, "output.duration",
         text(output.duration),
         fmt::format("at most {} frames at {} frames per second", most, output.frames_per_second));
+    if (integrator.tolerance) {
+        require(is_positive(*integrator.tolerance), "integrator.tolerance",
+                text(*integrator.tolerance), scene_rules::tolerance);
+    }
+    if (integrator.iterations) {
+        require(*integrator.iterations >= 1 && *integrator.iterations <= 100'000,
+                "integrator.iterations", fmt::format("{}", *integrator.iterations),
+                scene_rules::iterations);
+    }
     if (!integrator.time_step) return;
     const double step = *integrator.time_step;
     require(is_positive(step), "integrator.time_step", text(step), scene_rules::time_step);
     require(1.0 <= most * step * output.frames_per_second, "integrator.time_step", text(step),
             fmt::format("at most {} steps a frame at {} frames per second", most,
                         output.frames_per_second));
+}
+
+// Which solvers there are depends on the cloth; what rests needs something to hold it.
+void check_implicit(const SceneDescription& scene) {
+    const LinearSolver solver = scene.integrator.linear_solver;
+    require(
+        solver != LinearSolver::multigrid || !scene.cloth.mesh, "integrator.linear_solver",
+        in_quotes(scene_word(solver)),
+        "\"auto\", \"aggregation\", \"jacobi\" or \"cholesky\" with cloth.mesh; only a grid has "
+        "coarser grids");
+    const bool falls = scene.forces.gravity != Vec3d{} || scene.wind;
+    require(!scene.output.settle || !scene.pins.empty() || !falls, "output.settle", "true",
+            "false without [[pins]]; a cloth that nothing holds comes to no rest");
 }
 
 void check_render(const RenderDescription& render) {
@@ -264,6 +288,7 @@ void check_scene(const SceneDescription& scene) {
     }
     check_forces(scene);
     check_times(scene.integrator, scene.output);
+    check_implicit(scene);
     check_render(scene.render);
     check_size(scene);
 }

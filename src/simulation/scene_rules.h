@@ -13,6 +13,10 @@ inline constexpr std::string_view sheet_size = "two finite numbers above 0";
 inline constexpr std::string_view resolution = "two integers (columns, rows), each at least 2";
 inline constexpr std::string_view spread = "a number, at least 0 and below 1";
 inline constexpr std::string_view time_step = "a finite number above 0, or \"auto\"";
+inline constexpr std::string_view tolerance = "a finite number above 0, or \"auto\"";
+inline constexpr std::string_view iterations = "an integer from 1 to 100000, or \"auto\"";
+inline constexpr std::string_view linear_solver =
+    "\"auto\", \"multigrid\", \"aggregation\", \"jacobi\" or \"cholesky\"";
 inline constexpr std::string_view picture_size = "two even integers from 16 to 8192";
 inline constexpr std::string_view field_of_view = "a number above 0 and below 180";
 inline constexpr std::string_view view_point = "three finite numbers, or \"auto\"";

@@ -26,6 +26,9 @@ inline constexpr std::array<std::string_view, 2> scene_words<OnDivergence>{"stop
 template <>
 inline constexpr std::array<std::string_view, 2> scene_words<GustModel>{"none", "coefficient"};
 template <>
+inline constexpr std::array<std::string_view, 5> scene_words<LinearSolver>{
+    "auto", "multigrid", "aggregation", "jacobi", "cholesky"};
+template <>
 inline constexpr std::array<std::string_view, 8> scene_words<EdgeSelection>{
     "top-left",  "top-right",  "bottom-left", "bottom-right",
     "left-edge", "right-edge", "top-edge",    "bottom-edge"};

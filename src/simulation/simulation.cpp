@@ -2,6 +2,7 @@
 
 #include "math/parallel.h"
 #include "simulation/engine.h"
+#include "weft/error.h"
 #include "weft/version.h"
 
 namespace weft {
@@ -64,6 +65,45 @@ LinearAnalysis Simulation::linear_analysis() const {
 }
 double Simulation::stable_step(std::string_view method) const {
     return parts_->engine->stable_step(method);
+}
+
+std::string_view Simulation::method() const {
+    return parts_->engine->method().method;
+}
+const std::string& Simulation::method_reason() const {
+    return parts_->engine->method().reason;
+}
+std::string_view Simulation::linear_solver() const {
+    return parts_->engine->linear_solver();
+}
+SolverCounts Simulation::solver_counts() const {
+    return parts_->engine->solver_counts();
+}
+
+void Simulation::set_integrator(const IntegratorDescription& integrator) {
+    SceneDescription changed = parts_->scene;
+    changed.integrator = integrator;
+    check_scene(changed);
+    if (integrator.precision != parts_->scene.integrator.precision) {
+        throw scene_error("integrator.precision", "another than the running one",
+                          "the same in the middle of a run; begin another with set_state()");
+    }
+    std::swap(parts_->scene.integrator, changed.integrator);
+    try {
+        parts_->team.run([&] { parts_->engine->change_integrator(); });
+    } catch (...) {
+        parts_->scene.integrator = changed.integrator;
+        throw;
+    }
+}
+
+SettleReport Simulation::settle() {
+    SettleReport report;
+    parts_->team.run([&] { report = parts_->engine->settle(); });
+    return report;
+}
+const std::optional<SettleReport>& Simulation::settle_report() const {
+    return parts_->engine->settle_report();
 }
 
 std::size_t Simulation::frame() const {

@@ -68,6 +68,9 @@ SearchEffort effort(std::size_t particle_count) {
 }  // namespace
 
 double StabilityModes::stable_step(std::string_view method) const {
+    const IntegratorInfo& info = *find_integrator(method);
+    // What a step of its own is worth, an adaptive method finds out itself.
+    if (info.kind == IntegratorKind::adaptive) return std::numeric_limits<double>::infinity();
     double step = std::numeric_limits<double>::infinity();
     const auto limit_by = [&](const Mode& mode) {
         if (mode.omega <= 0.0) return;
@@ -75,7 +78,7 @@ double StabilityModes::stable_step(std::string_view method) const {
         step = std::min(step, stability_limit(method, zeta) / mode.omega);
     };
     for (const Mode& mode : modes) limit_by(mode);
-    if (find_integrator(method)->imaginary_limit == 0.0) limit_by(least_damped);
+    if (info.imaginary_limit == 0.0) limit_by(least_damped);
     return step;
 }
 

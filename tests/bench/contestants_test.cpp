@@ -9,6 +9,7 @@
 #include "bench/suite/contestant.h"
 #include "bench/suite/pinned_copies.h"
 #include "bench/suite/scenes.h"
+#include "support/methods.h"
 #include "weft/error.h"
 #include "weft/integrators.h"
 #include "weft/simulation.h"
@@ -50,7 +51,7 @@ TEST(Contestants, PeersTakeTheSameStepsEveryTime) {
 
 TEST(Contestants, EveryMethodKeepsTheTimedSheetCalm) {
     const PlainSheet sheet{.columns = 20, .rows = 20};
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : test::explicit_methods()) {
         Simulation simulation(sheet_scene(sheet, {info.name, Precision::f32, 2000}));
         EXPECT_TRUE(simulation.advance_frame().ok()) << info.name;
         EXPECT_EQ(simulation.time(), 0.1) << info.name;
@@ -84,7 +85,7 @@ TEST(Contestants, TheFlagDiffersByTheWindAlone) {
 
 TEST(Contestants, TwoSecondsEndWithTheSheetHangingStill) {
     const PlainSheet sheet{.columns = 12, .rows = 12, .drag = 1e-3};
-    const auto weft = make_two_seconds(sheet);
+    const auto weft = make_two_seconds(sheet, sheet_at_60_hertz(sheet, "velocity-verlet"));
     const Measurement first = weft->measure(0.0), second = weft->measure(0.0);
     EXPECT_EQ(first.frames, 120.0);
     EXPECT_GT(first.steps, 120.0);
@@ -92,6 +93,20 @@ TEST(Contestants, TwoSecondsEndWithTheSheetHangingStill) {
     EXPECT_EQ(first.sag, second.sag);  // each time from the start
     EXPECT_GT(*first.sag, 1e-4);
     EXPECT_LT(*first.sag, 0.1);
+}
+
+TEST(Contestants, TheHangingSheetSagsAlikeByEveryMethod) {
+    const PlainSheet sheet = hanging_sheet(12);
+    EXPECT_DOUBLE_EQ(sheet.mass * 144, 0.2);
+    EXPECT_DOUBLE_EQ(sheet.cell * 11, 1.0);
+    const auto sag_by = [&](std::string_view method, std::optional<double> step) {
+        return make_two_seconds(sheet, sheet_at_60_hertz(sheet, method, step))->measure(0.0).sag;
+    };
+    const std::optional<double> sag = sag_by("auto", {});
+    ASSERT_TRUE(sag.has_value());
+    EXPECT_GT(*sag, 1e-3);
+    EXPECT_NEAR(*sag_by("implicit-euler", 1.0 / 60), *sag, 1e-5);
+    EXPECT_NEAR(*sag_by("tr-bdf2", 1.0 / 60), *sag, 1e-5);
 }
 
 TEST(Contestants, DivergenceIsAnError) {

@@ -6,6 +6,7 @@
 #include "bench/peers/built_in.h"
 #include "bench/peers/machine.h"
 #include "bench/peers/textbook.h"
+#include "bench/suite/contestant.h"
 #include "bench/suite/flops.h"
 #include "bench/suite/scenes.h"
 #include "weft/simulation.h"
@@ -136,6 +137,13 @@ TEST(Peers, BulletHangsFromTheSameCorners) {
     const double fallen = sheet.rest_position(6, 11).y - positions[11 * 12 + 6].y;
     EXPECT_GT(fallen, 0.0);
     EXPECT_LT(fallen, 12 * sheet.cell);
+}
+
+TEST(Peers, BulletsDeformableBodySagsAsWeftsSheet) {
+    const PlainSheet sheet = hanging_sheet(12);
+    const auto weft = make_two_seconds(sheet, sheet_at_60_hertz(sheet, "implicit-euler", 1.0 / 60));
+    const auto bullet = make_two_seconds(sheet, bullet_deformable);
+    EXPECT_NEAR(*bullet->measure(0.0).sag, *weft->measure(0.0).sag, 2e-5);
 }
 #endif
 

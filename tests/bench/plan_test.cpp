@@ -5,6 +5,7 @@
 #include <set>
 
 #include "bench/suite/plan.h"
+#include "support/methods.h"
 #include "weft/error.h"
 #include "weft/integrators.h"
 
@@ -18,6 +19,12 @@ std::vector<std::string> labels(const Plan& plan) {
             if (entry.shown) texts.push_back(entry.label.text());
         }
     }
+    for (const FrameGroup& group : plan.frames) {
+        for (const FrameEntry& entry : group.entries) {
+            if (entry.shown) texts.push_back(entry.label.text());
+        }
+    }
+    for (const MotionEntry& entry : plan.motions) texts.push_back(entry.label.text());
     return texts;
 }
 
@@ -28,7 +35,7 @@ bool contains(const std::vector<std::string>& texts, const std::string& text) {
 TEST(BenchPlan, EveryCaseIsThereOnce) {
     const auto texts = labels(make_plan({}, 2));
     EXPECT_EQ(std::set(texts.begin(), texts.end()).size(), texts.size());
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : test::explicit_methods()) {
         for (const char* size : {"40x40", "100x100", "256x256", "512x512", "1024x1024"}) {
             for (const char* precision : {"single", "double"}) {
                 const std::string begin = std::string(info.name) + " " + size + " " + precision;
@@ -45,7 +52,14 @@ TEST(BenchPlan, EveryCaseIsThereOnce) {
           "flag without wind 256x256 single 1 thread",
           "pinned copies symplectic-euler 1024x1024 single 2 threads",
           "bullet soft body at 60 Hz 40x40 single 1 thread",
-          "velocity-verlet at 60 Hz 40x40 single 1 thread"}) {
+          "velocity-verlet at 60 Hz 40x40 single 1 thread", "hanging auto 100x100 single 1 thread",
+          "hanging bullet-deformable 40x40 single 1 thread",
+          "implicit frame multigrid 513x513 double 1 thread",
+          "implicit frame cholesky 257x257 double 1 thread",
+          "implicit frame projective-dynamics 41x41 double 1 thread",
+          "motion velocity-verlet 33x33 double 1 thread",
+          "motion implicit-euler 16 33x33 double 1 thread",
+          "motion dopri5 1e-4 33x33 double 1 thread"}) {
         EXPECT_TRUE(contains(texts, text)) << text;
     }
 }
@@ -83,6 +97,34 @@ TEST(BenchPlan, AFilterKeepsWhatHasAllItsWords) {
     }
 }
 
+TEST(BenchPlan, AFilterHasWholeWords) {
+    const Label label{"motion implicit-euler 16", 33, 33, Precision::f64, 1};
+    EXPECT_TRUE(label.has_words(""));
+    EXPECT_TRUE(label.has_words(" 33x33  motion "));
+    EXPECT_TRUE(label.has_words("16 double 1 thread"));
+    EXPECT_FALSE(label.has_words("implicit"));
+    EXPECT_FALSE(label.has_words("motion 3"));
+    for (const std::string& text : labels(make_plan({.filter = "implicit"}, 2))) {
+        EXPECT_TRUE(text.starts_with("implicit frame ")) << text;
+    }
+}
+
+TEST(BenchPlan, ImplicitFramesHaveTheirYardstickAlong) {
+    const Plan plan = make_plan({.filter = "implicit multigrid"}, 2);
+    EXPECT_TRUE(plan.groups.empty() && plan.motions.empty());
+    ASSERT_EQ(plan.frames.size(), std::size_t{4});
+    for (const FrameGroup& group : plan.frames) {
+        EXPECT_EQ(group.repeats, 3);
+        const bool cholesky = group.size <= 257;
+        ASSERT_EQ(group.entries.size(), std::size_t{cholesky ? 2u : 1u}) << group.size;
+        EXPECT_TRUE(group.entries.front().shown);
+        if (!cholesky) continue;
+        EXPECT_EQ(group.entries.back().label.name, cholesky_frame_name);
+        EXPECT_FALSE(group.entries.back().shown);
+    }
+    EXPECT_EQ(make_plan({.filter = "implicit", .repeats = 7}, 2).frames.front().repeats, 7);
+}
+
 TEST(BenchPlan, AFilterThatMatchesNothingIsRefused) {
     try {
         (void)make_plan({.filter = "rk5"}, 2);
@@ -101,6 +143,8 @@ TEST(BenchPlan, QuickEndsAt256AndLargeAt4096) {
         for (const Entry& entry : group.entries) largest = std::max(largest, entry.label.columns);
     }
     EXPECT_EQ(largest, 256);
+    EXPECT_EQ(make_plan({.quick = true}, 2).frames.back().size, 97);
+    EXPECT_EQ(make_plan({.quick = true}, 2).motion_repeats, 1);
     EXPECT_TRUE(contains(labels(make_plan({.large = true}, 2)),
                          "growth symplectic-euler 4096x4096 single 1 thread"));
 }

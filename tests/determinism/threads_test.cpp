@@ -9,6 +9,7 @@
 #include "math/parallel.h"
 #include "simulation/cloth_system.h"
 #include "support/cloth_forces.h"
+#include "support/methods.h"
 #include "weft/simulation.h"
 
 namespace weft::test {
@@ -42,7 +43,7 @@ ParticleState<Real> after_steps(const ClothModel& cloth, const SceneDescription&
 
 template <typename Real>
 void expect_same_bits(const ClothModel& cloth, const SceneDescription& scene) {
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         const ParticleState<Real> one = after_steps<Real>(cloth, scene, info.name, 1);
         ASSERT_TRUE(is_finite(one.x[cloth.slot(cloth.particle_count - 1)]));
         for (const int threads : {2, 7}) {

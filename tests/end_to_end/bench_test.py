@@ -81,6 +81,53 @@ class TableTest(CommandTest):
             self.positive(bullet["ms_per_frame"], bullet["sag"])
             self.assertIsNone(bullet["ns_per_particle_step"])
 
+    def test_the_hanging_sheet_sags_alike_in_weft_and_bullet(self):
+        machine, rows = self.rows("hanging", "40x40")
+        rows = {row["case"].removeprefix("hanging "): row for row in rows}
+        self.assertEqual(set(rows), {"auto", "tr-bdf2", "implicit-euler", "bullet-deformable"})
+        if not machine["peers"]["bullet"]:
+            self.assertIn("not built in", rows.pop("bullet-deformable")["note"])
+        for row in rows.values():
+            self.positive(row["ms_per_frame"], row["sag"])
+            self.assertAlmostEqual(row["sag"], rows["auto"]["sag"], delta=2e-5)
+
+    def test_implicit_frames(self):
+        _, rows = self.rows("implicit", "41x41")
+        rows = {row["case"].removeprefix("implicit frame "): row for row in rows}
+        self.assertEqual(set(rows), {"multigrid", "aggregation", "jacobi", "cholesky",
+                                     "projective-dynamics"})
+        for name, row in rows.items():
+            self.assertEqual((row["columns"], row["precision"], row["threads"], row["note"]),
+                             (41, "double", 1, None))
+            near = row["to_1_mm"]
+            self.positive(near["ms"], near["ratio_to_cholesky"], near["ns_per_particle"],
+                          near["explicit_steps"])
+            self.assertAlmostEqual(near["ns_per_particle"], 1e6 * near["ms"] / 41 ** 2)
+            self.assertGreaterEqual(near["iterations"], 1)
+            self.assertIn("to_0.1_mm", row)
+        for name in ("multigrid", "cholesky"):
+            self.assertGreaterEqual(rows[name]["to_0.1_mm"]["ms"], rows[name]["to_1_mm"]["ms"])
+        self.assertEqual(rows["cholesky"]["to_1_mm"]["ratio_to_cholesky"], 1.0)
+
+    def test_motion(self):
+        _, rows = self.rows("motion", "33x33", "tr-bdf2")
+        self.assertEqual([row["case"] for row in rows],
+                         ["motion tr-bdf2 1", "motion tr-bdf2 2", "motion tr-bdf2 4"])
+        for row in rows:
+            self.positive(row["rms_error"], row["ms_per_frame"], row["kinetic_energy"])
+            self.assertLess(abs(row["energy_change"]), row["kinetic_energy"])
+            self.assertIsNone(row["note"])
+        self.assertEqual([row["steps_per_frame"] for row in rows], [1.0, 2.0, 4.0])
+        self.assertLess(rows[2]["rms_error"], rows[0]["rms_error"])
+
+    def test_studies_have_tables_of_their_own(self):
+        done = self.weft("bench", "--quick", "--filter", "implicit multigrid 41x41")
+        self.assertRegex(done.stdout, r"(?m)^implicit frame multigrid +41x41( +[\d.]+){10}$")
+        done = self.weft("bench", "--quick", "--filter", "motion baraff-witkin")
+        self.assertRegex(done.stdout, r"(?m)^motion baraff-witkin 1 +33x33 +1.0 +[\d.]+ +[+-][\d.]+ ")
+        self.assertNotIn("GFLOP/s of peak", done.stdout)
+        self.assertEqual(done.stderr, "")
+
     def test_the_table_has_a_line_a_row(self):
         done = self.weft("bench", "--quick", "--filter", "rk4 40x40 double 1 thread")
         lines = done.stdout.splitlines()

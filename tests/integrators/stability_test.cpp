@@ -7,6 +7,7 @@
 #include <string>
 
 #include "integrators/integrator.h"
+#include "support/methods.h"
 
 namespace weft::test {
 namespace {
@@ -50,7 +51,7 @@ double logarithm_of_growth(std::string_view method, double omega_dt, double zeta
 // The growth of the real stepper is amplification() to the power of the steps made: at 0.99 of the
 // limit it decays (undamped: stays), at 1.01 it blows up.
 TEST(StabilityLimit, RunsAt99AndBlowsUpAt101HundredthsOfIt) {
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         for (const double zeta : damping_ratios) {
             const double limit = stability_limit(info.name, zeta);
             if (limit == 0.0) continue;
@@ -74,7 +75,7 @@ TEST(StabilityLimit, RunsAt99AndBlowsUpAt101HundredthsOfIt) {
 }
 
 TEST(StabilityLimit, WithoutDampingIsTheStatedOne) {
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         EXPECT_NEAR(stability_limit(info.name, 0.0), info.imaginary_limit, 1e-4) << info.name;
     }
     EXPECT_NEAR(stability_limit("verlet", 0.0), 2.0, 1e-6);
@@ -144,7 +145,7 @@ TEST(Amplification, OfRungeKuttaIsTheExponentialSeries) {
 
 // Below the limit every step is stable, not only those near it.
 TEST(StabilityLimit, HasNoUnstableStepBelowIt) {
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         for (const double zeta : damping_ratios) {
             const double limit = stability_limit(info.name, zeta);
             for (int n = 1; n < 1000; ++n) {

@@ -25,12 +25,12 @@ using Precisions = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(LinearCombinations, Precisions);
 
 TYPED_TEST(LinearCombinations, AreTheSumsInDouble) {
-    constexpr std::array<double, 6> first{1.0, -0.5, 0.25, 3.0, 0.0, 1.0 / 3};
-    constexpr std::array<double, 6> second{0.0, 1.0, 0.125, 0.0, 0.0, -2.0};
+    constexpr std::array<double, 8> first{1.0, -0.5, 0.25, 3.0, 0.0, 1.0 / 3, 0.0, -0.75};
+    constexpr std::array<double, 8> second{0.0, 1.0, 0.125, 0.0, 0.0, -2.0, 1.0 / 7, 0.5};
     for (const std::size_t size : {1u, 5u, 17u, 1000u}) {
         std::vector<Vec3Array<TypeParam>> inputs;
-        for (std::uint64_t i = 0; i < 6; ++i) inputs.push_back(random_array<TypeParam>(size, i));
-        for (std::size_t count = 1; count <= 6; ++count) {
+        for (std::uint64_t i = 0; i < 8; ++i) inputs.push_back(random_array<TypeParam>(size, i));
+        for (std::size_t count = 1; count <= 8; ++count) {
             for (std::size_t set = 0; set < instruction_sets().size(); ++set) {
                 Vec3Array<TypeParam> a(size), b(size);
                 LinearCombination<TypeParam> both(a, b);

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "support/cloth_scenes.h"
+#include "support/methods.h"
 #include "weft/integrators.h"
 #include "weft/simulation.h"
 
@@ -98,7 +99,7 @@ TEST(Allocation, IsSeenByTheCounter) {
 TEST(Allocation, IsNoneInTheStepsOfAnyMethod) {
     for (const bool mesh : {false, true}) {
         for (const Precision precision : {Precision::f32, Precision::f64}) {
-            for (const IntegratorInfo& info : integrator_catalogue()) {
+            for (const IntegratorInfo& info : explicit_methods()) {
                 SceneDescription scene = small_flag(mesh, precision);
                 scene.integrator.method = std::string(info.name);
                 if (info.imaginary_limit == 0.0) scene.integrator.time_step = 5e-5;

@@ -14,6 +14,7 @@
 #include "simulation/engine.h"
 #include "simulation/stability.h"
 #include "support/cloth_forces.h"
+#include "support/methods.h"
 
 namespace weft::test {
 namespace {
@@ -46,7 +47,7 @@ template <typename Real>
 void expect_zero_padding(const SceneDescription& scene) {
     const ClothModel cloth = build_cloth(scene);
     ASSERT_EQ(cloth.layout.slot_count(), 9u * 16u);
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         ClothSystem<Real> system(cloth, scene);
         ParticleState<Real> state = disturbed_state<Real>(cloth, 0.1);
         const auto integrator = make_integrator<Real>(info.name);
@@ -99,7 +100,7 @@ struct ShortRun {
 // The user's numbers are the same to the bit: the state, its hash, work, strain; energies to
 // rounding.
 TEST(Layout, OfAMeshChangesNoResult) {
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         for (const Precision precision : {Precision::f32, Precision::f64}) {
             SceneDescription scene = small_flag(info.name);
             scene.integrator.precision = precision;

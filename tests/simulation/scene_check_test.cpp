@@ -154,7 +154,7 @@ TEST(CheckScene, SaysValueAndWhatIsAllowed) {
               "least 2");
     EXPECT_EQ(
         refusal([](S& s) { s.integrator.method = "rk44"; }),
-        "integrator.method: \"rk44\" is not allowed: forward-euler, symplectic-euler, verlet, "
+        "integrator.method: \"rk44\" is not allowed: auto, forward-euler, symplectic-euler, verlet, "
         "time-corrected-verlet, velocity-verlet, rk2, rk3, rk4, yoshida4, forest-ruth (did "
         "you mean rk4?)");
     EXPECT_EQ(refusal([](S& s) { s.material.fabric = "jute"; }),

@@ -11,6 +11,7 @@
 #include "simulation/stability.h"
 #include "support/cloth_scenes.h"
 #include "support/dense_modes.h"
+#include "support/methods.h"
 #include "weft/simulation.h"
 
 namespace weft::test {
@@ -164,7 +165,7 @@ double growth(const Case& sheet, std::string_view method, double dt, int steps) 
 TEST_P(StableStep, RunsAt99AndBlowsUpAt101HundredthsOfIt) {
     const Simulation simulation(GetParam().scene);
     const auto [omega, zeta] = simulation.linear_analysis();
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         const double limit = simulation.stable_step(info.name);
         if (limit == 0.0) {
             EXPECT_EQ(zeta, 0.0) << info.name;
@@ -237,7 +238,7 @@ TEST(StableStepOfMethods, IsInfiniteWhereNothingLimitsIt) {
     scene.material.structural = scene.material.shear = scene.material.bend = {};
     const Simulation simulation(scene);
     EXPECT_EQ(simulation.linear_analysis().omega_max, 0.0);
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         EXPECT_TRUE(std::isinf(simulation.stable_step(info.name))) << info.name;
     }
 }
@@ -252,7 +253,7 @@ TEST(StableStepOfMethods, IsSafeForUnevenDamping) {
         scene.material.bend.damping = 0.3 * ratio * scene.material.bend.stiffness;
         scene.forces.damping = 0.002;
         const Simulation simulation(scene);
-        for (const IntegratorInfo& info : integrator_catalogue()) {
+        for (const IntegratorInfo& info : explicit_methods()) {
             const double step = 0.9 * simulation.stable_step(info.name);
             ASSERT_GT(step, 0.0) << info.name;
             EXPECT_LT(growth({"Uneven", scene, {}}, info.name, step, 3000), 50.0)

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/cloth_scenes.h"
+#include "support/methods.h"
 #include "weft/error.h"
 #include "weft/integrators.h"
 #include "weft/simulation.h"
@@ -73,7 +74,7 @@ TEST(StepControl, KeepsARunStableByItself) {
     scene.forces.gravity = {0.0, -9.81, 0.0};
     scene.cloth.grid.plane = Plane::xz;
     scene.pins = {{EdgeSelection::top_left, {}}, {EdgeSelection::top_right, {}}};
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         if (info.imaginary_limit == 0.0) continue;
         scene.integrator.method = std::string(info.name);
         Simulation simulation(scene);
@@ -118,7 +119,7 @@ TEST(StepControl, CapturesTheInitialState) {
 }
 
 TEST(StepControl, MovesPinsAsTheirKeyframesSay) {
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         SceneDescription scene = stepped(0.001, 20.0);
         scene.integrator.method = std::string(info.name);
         scene.pins = {{EdgeSelection::top_left, {{0.0, {}}, {1.0, {0.4, 0.1, -0.3}}}},

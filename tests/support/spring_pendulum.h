@@ -2,6 +2,7 @@
 // integrators. Nonlinear on purpose: linear problems test only some of the order conditions.
 #pragma once
 
+#include <Eigen/Dense>
 #include <array>
 
 #include "integrators/integrator.h"
@@ -16,9 +17,11 @@ enum class Pendulum {
 
 /// a = -(k/m) (|d| - L) d/|d| + g - damping, with d = x - anchor(t); k/m = 25 /s2, L = 1 m. The
 /// same numbers stand in tools/reference_solutions.py.
-class SpringPendulum final : public DynamicsSystem<double> {
+class SpringPendulum final : public DynamicsSystem<double>, private ImplicitSystem {
 public:
     explicit SpringPendulum(Pendulum kind) : kind_(kind) {}
+
+    [[nodiscard]] ImplicitSystem* implicit_system() override { return this; }
 
     [[nodiscard]] std::size_t slot_count() const override { return 1; }
     void acceleration(double t, ConstVec3View<double> x, ConstVec3View<double> v,
@@ -41,6 +44,34 @@ public:
     int evaluations = 0;
 
 private:
+    [[nodiscard]] std::span<const double> inverse_masses() const override { return mass_; }
+
+    // 1 / tau^2 + K + C / tau with K >= 0, as forces/newton_matrix.h has it.
+    void linearise(double t, double inverse_tau, ConstVec3View<double> x,
+                   ConstVec3View<double> v) override {
+        const Vec3d d = kind_ == Pendulum::forced ? x[0] - anchor(t) : x[0];
+        const double r = length(d), across = std::max(0.0, 1.0 - 1.0 / r);
+        const Eigen::Vector3d n = Eigen::Vector3d(d.x, d.y, d.z) / r;
+        const Eigen::Matrix3d along = n * n.transpose();
+        const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
+        matrix_ = inverse_tau * inverse_tau * one + 25.0 * (along + across * (one - along));
+        if (kind_ != Pendulum::damped) return;
+        const double speed = length(v[0]);
+        const Eigen::Vector3d u(v[0].x, v[0].y, v[0].z);
+        matrix_ += inverse_tau * (0.8 * along + (0.3 + 0.1 * speed) * one);
+        if (speed > 0.0) matrix_ += (0.1 * inverse_tau / speed) * u * u.transpose();
+    }
+    LinearReport solve(ConstVec3View<double> r, double, Vec3View<double> d) override {
+        const Vec3d right = r[0];
+        const Eigen::Vector3d found =
+            matrix_.llt().solve(Eigen::Vector3d(right.x, right.y, right.z));
+        d.set(0, {found.x(), found.y(), found.z()});
+        return {1, 0.0, true};
+    }
+
+    std::array<double, 1> mass_{1.0};
+    Eigen::Matrix3d matrix_;
+
     static Vec3d anchor(double t) { return {0.4 / (1.0 + t * t), 0.0, 0.3 * t / (1.0 + t)}; }
 
     Pendulum kind_;

@@ -5,6 +5,7 @@
 #include "integrators/integrator.h"
 #include "simulation/cloth_system.h"
 #include "support/cloth_forces.h"
+#include "support/methods.h"
 
 namespace weft::test {
 namespace {
@@ -52,7 +53,7 @@ struct FreeSheet {
 };
 
 TEST(Momentum, IsKeptToRoundingWithoutExternalForce) {
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         FreeSheet sheet({0.0, 0.0, 0.0});
         disturb(sheet.cloth, sheet.state.x, 0.02, 1);
         disturb(sheet.cloth, sheet.state.v, 1.0, 2);
@@ -66,7 +67,7 @@ TEST(Momentum, IsKeptToRoundingWithoutExternalForce) {
 // Spring and dashpot pull along the line between two particles: no torque, however the sheet turns
 // and rings. The splitting methods keep angular momentum to rounding, Runge-Kutta to its order.
 TEST(AngularMomentum, IsKeptByASpinningSheetWithDashpots) {
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         FreeSheet sheet({0.0, 0.0, 0.0});
         const Vec3d spin{0.5, 1.0, 3.0};  // [1/s]
         const Vec3d centre = sheet.centre();
@@ -120,7 +121,7 @@ Vec3d fallen(std::string_view method, int n, double dt, Vec3d v, Vec3d g) {
 constexpr Vec3d gravity{1.0, -9.81, 2.0}, thrown{3.0, 4.0, -1.0};
 
 TEST(FreeFall, FollowsTheMethodsParabolaWithoutAnyStrain) {
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         FreeSheet sheet(gravity);
         sheet.cloth.layout.for_each(
             [&](std::size_t, std::size_t s) { sheet.state.v.set(s, thrown); });
@@ -144,7 +145,7 @@ TEST(FreeFall, FollowsTheMethodsParabolaWithoutAnyStrain) {
 }
 
 TEST(FreeFall, OfATornAndRingingSheetLeavesItsCentreOnTheParabola) {
-    for (const IntegratorInfo& info : integrator_catalogue()) {
+    for (const IntegratorInfo& info : explicit_methods()) {
         FreeSheet sheet(gravity);
         disturb(sheet.cloth, sheet.state.x, 0.03, 1);
         disturb(sheet.cloth, sheet.state.v, 1.0, 2);

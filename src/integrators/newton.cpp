@@ -1,0 +1,165 @@
+#include "integrators/newton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace weft {
+
+namespace {
+
+constexpr double first_forcing = 0.3;    // of the first linear solve, and the loosest
+constexpr double least_forcing = 1e-8;   // inner solves are in float: tighter is refinement
+constexpr double single_forcing = 1e-4;  // where there is no second solve to mend the first
+constexpr double overshoot = 0.5;        // of the slope, that a step may end with
+constexpr int max_shortenings = 30;
+constexpr std::size_t remembered_pairs = 5;  // as in Liu, Bouaziz, Kavan (2017)
+
+// to = from + fraction by
+void move(ConstVec3View<double> from, double fraction, ConstVec3View<double> by,
+          Vec3View<double> to) {
+    const auto component = [&](const double* start, const double* d, double* end) {
+        for (std::size_t s = 0; s < to.size; ++s) end[s] = start[s] + fraction * d[s];
+    };
+    component(from.x, by.x, to.x);
+    component(from.y, by.y, to.y);
+    component(from.z, by.z, to.z);
+}
+
+// v = (x - x0) / tau, and pins in their places.
+void set_velocity(const ImplicitSystem& system, const ImplicitStage& stage, Vec3View<double> x,
+                  Vec3View<double> v) {
+    const double per_tau = 1.0 / stage.tau;
+    const auto component = [&](const double* at, const double* from, double* out) {
+        for (std::size_t s = 0; s < x.size; ++s) out[s] = per_tau * (at[s] - from[s]);
+    };
+    component(x.x, stage.x0.x, v.x);
+    component(x.y, stage.x0.y, v.y);
+    component(x.z, stage.x0.z, v.z);
+    system.constrain(stage.t, x, v);
+}
+
+double longest(const Vec3Array<double>& d) {
+    const auto view = d.view();
+    double squared = 0.0;
+    for (std::size_t s = 0; s < view.size; ++s) {
+        squared = std::max(squared,
+                           view.x[s] * view.x[s] + view.y[s] * view.y[s] + view.z[s] * view.z[s]);
+    }
+    return std::sqrt(squared);
+}
+
+}  // namespace
+
+void NewtonSolver::prepare(std::size_t slots) {
+    b_ = b_before_ = r_ = d_ = start_ = Vec3Array<double>(slots);
+    memory_ = LimitedMemory(slots, remembered_pairs);
+}
+
+void NewtonSolver::evaluate(ImplicitSystem& system, const ImplicitStage& stage, Vec3View<double> x,
+                            Vec3View<double> v) {
+    const double per_tau = 1.0 / stage.tau;
+    set_velocity(system, stage, x, v);
+    ++report_.evaluations;
+    const auto b = b_.view();
+    system.acceleration(stage.t, x, v, b);
+    const double* const w = system.inverse_masses().data();
+    // m (a - (v - v0) / tau), where v is already (x - x0) / tau.
+    const auto unbalanced = [&](double* out, const double* now, const double* before) {
+        for (std::size_t s = 0; s < x.size; ++s) {
+            const double lacking = out[s] - per_tau * (now[s] - before[s]);
+            out[s] = w[s] > 0.0 ? lacking / w[s] : 0.0;
+        }
+    };
+    unbalanced(b.x, v.x, stage.v0.x);
+    unbalanced(b.y, v.y, stage.v0.y);
+    unbalanced(b.z, v.z, stage.v0.z);
+}
+
+double NewtonSolver::find_direction(ImplicitSystem& system, double forcing) {
+    r_ = b_;
+    memory_.before(r_);
+    const LinearReport linear = system.solve(std::as_const(r_).view(), forcing, d_.view());
+    memory_.after(d_);
+    report_.linear_iterations += linear.iterations;
+    report_.linear_converged = linear.converged;
+    report_.linear_residual = linear.residual;
+    return dot(b_, d_);
+}
+
+double NewtonSolver::move_along(ImplicitSystem& system, const ImplicitStage& stage, double slope,
+                                Vec3Array<double>& x, Vec3Array<double>& v) {
+    start_ = x;
+    b_before_ = b_;
+    double fraction = 1.0;
+    for (int n = 0; n < max_shortenings; ++n) {
+        move(start_.view(), fraction, std::as_const(d_).view(), x.view());
+        evaluate(system, stage, x.view(), v.view());
+        const double end_slope = dot(b_, d_);
+        if (end_slope >= -overshoot * slope) return fraction;
+        // Where a parabola through both slopes is lowest.
+        const double secant = slope / (slope - end_slope);
+        fraction *= std::isfinite(end_slope) ? std::clamp(secant, 0.1, 0.7) : 0.1;
+    }
+    return 0.0;
+}
+
+bool NewtonSolver::iterate(ImplicitSystem& system, const ImplicitStage& stage, double forcing,
+                           Vec3Array<double>& x, Vec3Array<double>& v) {
+    ++report_.iterations;
+    system.linearise(stage.t, 1.0 / stage.tau, std::as_const(x).view(), std::as_const(v).view());
+    double slope = find_direction(system, forcing);
+    if (!(slope > 0.0)) {
+        memory_.clear();  // what was remembered misleads here
+        slope = find_direction(system, forcing);
+    }
+    if (!(slope > 0.0) || !std::isfinite(slope)) return false;
+    const double fraction = move_along(system, stage, slope, x, v);
+    report_.displacement = fraction * longest(d_);
+    // b is minus the gradient of what is minimised, so the change of gradient is b_before - b.
+    if (fraction == 1.0) {
+        memory_.add(x, start_, b_before_, b_);
+    } else {
+        memory_.clear();  // too strongly curved here for what was learnt
+    }
+    return fraction > 0.0;
+}
+
+NewtonReport NewtonSolver::solve(ImplicitSystem& system, const ImplicitStage& stage,
+                                 const NewtonLimits& limits, Vec3Array<double>& x,
+                                 Vec3Array<double>& v) {
+    report_ = {};
+    memory_.clear();
+    evaluate(system, stage, x.view(), v.view());
+    double squared = dot(b_, b_), before = 0.0;
+    report_.converged = squared == 0.0;
+    while (!report_.converged && report_.iterations < limits.max_iterations &&
+           std::isfinite(squared)) {
+        const double ratio = before > 0.0 ? squared / before : 1.0;
+        const double forcing = std::clamp(0.9 * ratio, least_forcing, first_forcing);
+        if (!iterate(system, stage, forcing, x, v)) break;
+        before = squared;
+        squared = dot(b_, b_);
+        report_.converged = report_.displacement <= limits.tolerance;
+    }
+    report_.residual = std::sqrt(squared);
+    return report_;
+}
+
+NewtonReport NewtonSolver::solve_once(ImplicitSystem& system, const ImplicitStage& stage,
+                                      Vec3Array<double>& x, Vec3Array<double>& v) {
+    report_ = {};
+    memory_.clear();
+    evaluate(system, stage, x.view(), v.view());
+    ++report_.iterations;
+    system.linearise(stage.t, 1.0 / stage.tau, std::as_const(x).view(), std::as_const(v).view());
+    find_direction(system, single_forcing);
+    move(x.view(), 1.0, std::as_const(d_).view(), x.view());
+    set_velocity(system, stage, x.view(), v.view());
+    report_.displacement = longest(d_);
+    report_.residual = std::sqrt(dot(b_, b_));
+    report_.converged = report_.linear_converged && std::isfinite(report_.displacement);
+    return report_;
+}
+
+}  // namespace weft

@@ -1,0 +1,75 @@
+#include "simulation/cloth_implicit_system.h"
+
+#include <algorithm>
+
+#include "forces/assembled_newton_matrix.h"
+#include "forces/grid_multigrid.h"
+#include "forces/wind.h"
+#include "simulation/scene_words.h"
+
+namespace weft {
+
+namespace {
+
+// Enough for any matrix that is not singular in the solvers' precision.
+constexpr int max_linear_iterations = 2000;
+
+// Particles of a mesh above which a hierarchy is worth building.
+constexpr std::size_t large_mesh = 1000;
+
+LinearSolver best_solver(const ClothModel& cloth) {
+    if (cloth.is_grid()) return LinearSolver::multigrid;
+    return cloth.particle_count > large_mesh ? LinearSolver::aggregation : LinearSolver::jacobi;
+}
+
+}  // namespace
+
+std::unique_ptr<NewtonMatrixSolver> make_newton_solver(const ClothModel& cloth, LinearSolver solver,
+                                                       InstructionSet set, int threads) {
+    if (solver == LinearSolver::automatic) solver = best_solver(cloth);
+    if (solver == LinearSolver::multigrid) return make_grid_multigrid(cloth, set, threads);
+    return make_assembled_solver(cloth, scene_word(solver), set, threads);
+}
+
+ClothImplicitSystem::ClothImplicitSystem(const ClothModel& cloth, const SceneDescription& scene,
+                                         DynamicsSystem<double>& forces, InstructionSet set,
+                                         int threads)
+    : forces_(forces),
+      drag_(scene.forces.damping),
+      inverse_masses_(cloth.layout.slot_count()),
+      blocks_(cloth.layout.slot_count()),
+      solver_(make_newton_solver(cloth, scene.integrator.linear_solver, set, threads)) {
+    cloth.layout.for_each(
+        [&](std::size_t p, std::size_t slot) { inverse_masses_[slot] = 1.0 / cloth.masses[p]; });
+    for (const Pin& pin : cloth.pins) inverse_masses_[cloth.slot(pin.particle)] = 0.0;
+    if (scene.wind && scene.wind->air_density > 0.0) {
+        wind_ = scene.wind;
+        air_damping_.emplace(*wind_, cloth);
+    }
+}
+
+void ClothImplicitSystem::linearise(double t, double inverse_tau, ConstVec3View<double> x,
+                                    ConstVec3View<double> v) {
+    for (const std::size_t diagonal : {std::size_t{0}, std::size_t{3}, std::size_t{5}}) {
+        std::vector<double>& entry = blocks_.entries[diagonal];
+        for (std::size_t s = 0; s < entry.size(); ++s) {
+            const double w = inverse_masses_[s];
+            entry[s] = w > 0.0 ? inverse_tau * (inverse_tau / w + drag_) : 0.0;
+        }
+    }
+    if (air_damping_) {
+        for (const std::size_t mixed : {std::size_t{1}, std::size_t{2}, std::size_t{4}}) {
+            std::fill(blocks_.entries[mixed].begin(), blocks_.entries[mixed].end(), 0.0);
+        }
+        const Vec3d wind = wind_velocity(*wind_, t);
+        air_damping_->add(wind, x, v, inverse_tau, blocks_);
+    }
+    solver_->linearise(x, inverse_tau, blocks_);
+}
+
+LinearReport ClothImplicitSystem::solve(ConstVec3View<double> r, double tolerance,
+                                        Vec3View<double> d) {
+    return solver_->solve(r, tolerance, max_linear_iterations, d);
+}
+
+}  // namespace weft

@@ -1,0 +1,66 @@
+#include "simulation/method_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "weft/integrators.h"
+
+namespace weft {
+
+namespace {
+
+constexpr double auto_fraction = 0.9;  // of the stable step
+constexpr std::string_view explicit_method = "velocity-verlet", implicit_method = "tr-bdf2";
+
+// What an implicit step costs, in explicit ones of the same cloth: `weft bench --filter implicit`
+// measures it.
+double implicit_step_cost(const ClothModel& cloth) {
+    constexpr double on_grid = 400.0, on_mesh = 800.0;
+    return cloth.is_grid() ? on_grid : on_mesh;
+}
+
+}  // namespace
+
+std::size_t steps_in_frame(double frame_length, double dt) {
+    const double steps = std::ceil(frame_length / dt * (1.0 - 1e-12));
+    return static_cast<std::size_t>(std::clamp(steps, 1.0, 1e12));
+}
+
+std::size_t automatic_steps(const SceneDescription& scene, std::string_view method,
+                            const StabilityModes& modes) {
+    const double frame_length = 1.0 / scene.output.frames_per_second;
+    const IntegratorInfo& info = *find_integrator(method);
+    if (info.kind == IntegratorKind::adaptive) return 1;
+    if (info.kind != IntegratorKind::explicit_steps) {
+        return steps_in_frame(frame_length, info.auto_step);
+    }
+    const double limit = modes.stable_step(method);
+    return limit > 0.0 ? steps_in_frame(frame_length, auto_fraction * limit) : 0;
+}
+
+MethodChoice choose_method(const SceneDescription& scene, const ClothModel& cloth,
+                           const StabilityModes& modes) {
+    const IntegratorDescription& integrator = scene.integrator;
+    if (integrator.method != "auto") return {integrator.method, ""};
+    const double limit = modes.stable_step(explicit_method), omega = modes.modes.front().omega;
+    if (integrator.time_step) {
+        const bool stable = *integrator.time_step <= limit;
+        return {std::string(stable ? explicit_method : implicit_method),
+                fmt::format("the step of {:.4g} s is {} the explicit limit of {:.4g} s (omega_max "
+                            "{:.4g} 1/s)",
+                            *integrator.time_step, stable ? "within" : "beyond", limit, omega)};
+    }
+    const auto explicit_steps = static_cast<double>(automatic_steps(scene, explicit_method, modes));
+    const auto implicit_steps = static_cast<double>(automatic_steps(scene, implicit_method, modes));
+    const double implicit_cost = implicit_steps * implicit_step_cost(cloth);
+    const bool chosen_explicit = explicit_steps <= implicit_cost;
+    return {std::string(chosen_explicit ? explicit_method : implicit_method),
+            fmt::format("{} explicit steps a frame (omega_max {:.4g} 1/s) cost {} than {} implicit "
+                        "ones, worth about {} on this {} of {} particles",
+                        explicit_steps, omega, chosen_explicit ? "less" : "more", implicit_steps,
+                        implicit_cost, cloth.is_grid() ? "grid" : "mesh", cloth.particle_count)};
+}
+
+}  // namespace weft
