@@ -36,6 +36,9 @@ std::string_view name_of(SceneAccess<std::array<int, 2>>) {
 std::string_view name_of(SceneAccess<std::optional<double>>) {
     return "number";
 }
+std::string_view name_of(SceneAccess<std::optional<int>>) {
+    return "integer";
+}
 std::string_view name_of(SceneAccess<std::optional<Vec3d>>) {
     return "three numbers";
 }

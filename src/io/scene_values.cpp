@@ -215,7 +215,8 @@ void read_scene_value(const SceneKey& key, const std::string& path, const TomlVa
                       SceneDescription& scene, std::size_t pin) {
     const auto read = [&]<typename Value>(SceneAccess<Value> access) {
         Value& target = access(scene, pin);
-        // A word of its own is read as such; elsewhere "auto" is what is there when nothing is given.
+        // A word of its own is read as such; elsewhere "auto" is what is there when nothing is
+        // given.
         constexpr bool is_word = std::is_same_v<Value, std::string> || std::is_enum_v<Value>;
         if (!is_word && key.fallback == "\"auto\"" && value.string() && *value.string() == "auto") {
             target = Value{};

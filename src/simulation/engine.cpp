@@ -179,7 +179,7 @@ void ClothEngine<Real>::change_integrator() {
 
 template <typename Real>
 std::optional<double> ClothEngine<Real>::tolerance_of(const std::string& method) const {
-    constexpr double of_mean_edge = 1e-2;
+    constexpr double of_mean_edge = 2e-3;
     if (scene_.integrator.tolerance) return scene_.integrator.tolerance;
     if (find_integrator(method)->kind == IntegratorKind::adaptive) return std::nullopt;
     return of_mean_edge * cloth_.mean_edge_length();

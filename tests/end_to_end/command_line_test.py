@@ -3,7 +3,7 @@
 import json
 import re
 
-from weft_command import METHODS, SOURCE, CommandTest, settings, unittest
+from weft_command import METHODS, SOURCE, UNLIMITED, CommandTest, settings, unittest
 
 FORMATS = {"pc2", "mdd", "glb", "npy", "obj", "ply", "png", "mp4", "webm", "gif"}
 SHIPPED = ["banner", "curtain", "flag", "mesh-cape", "sheet"]
@@ -43,8 +43,13 @@ class ListTest(CommandTest):
 
     def test_integrators(self):
         rows = {row["name"]: row for row in self.listed("integrators")}
-        self.assertEqual(set(rows), set(METHODS))
+        self.assertEqual(tuple(rows), METHODS + UNLIMITED)
         self.assertEqual([rows[name]["order"] for name in METHODS], [1, 1, 2, 2, 2, 2, 3, 4, 4, 4])
+        self.assertEqual([rows[name]["order"] for name in UNLIMITED],
+                         [3, 5, 1, 2, 2, 2, 2, 2, 1, 1, 1, 1])
+        for name in UNLIMITED[2:]:
+            self.assertEqual(rows[name]["imaginary_limit"], "any")
+            self.assertGreater(rows[name]["auto_step"], 0)
         for row in rows.values():
             self.assertTrue(row["formula"] and row["reference"], row)
 
@@ -105,7 +110,9 @@ class CheckTest(CommandTest):
         limits = {"symplectic-euler": 2, "verlet": 2, "time-corrected-verlet": 2,
                   "velocity-verlet": 2, "rk3": 3**0.5, "rk4": 8**0.5, "yoshida4": 1.5734,
                   "forest-ruth": 1.5734}
-        self.assertEqual(set(found["stable_step"]), set(METHODS))
+        self.assertEqual(tuple(found["stable_step"]), METHODS + UNLIMITED)
+        for method in UNLIMITED:
+            self.assertEqual(found["stable_step"][method], "any")
         for method, limit in limits.items():
             self.assertAlmostEqual(found["stable_step"][method] * found["omega_max"], limit,
                                    delta=1e-3 * limit, msg=method)

@@ -47,6 +47,35 @@ class OutputTest(CommandTest):
         self.assertEqual(len(np.load(self.place / "out" / "small.positions.npy")), 5)
         self.assertEqual(len(self.listing("out")), 4)
 
+    def test_settled_is_at_rest_and_alone(self):
+        self.weft("run", self.small_scene(), "-o", "out", "--settle")
+        places = np.load(self.place / "out" / "small.positions.npy")
+        self.assertEqual(len(places), 1)
+        self.assertFalse(np.load(self.place / "out" / "small.velocities.npy").any())
+        found = self.summary("out")["settle"]
+        self.assertTrue(found["converged"])
+        self.assertLessEqual(found["relative_residual"], 1e-6)
+        # From rest nothing moves: neither by an explicit method nor by an implicit one.
+        for method in ("velocity-verlet", "tr-bdf2"):
+            self.weft("run", self.small_scene(), "-o", "out", "--settle", "--frames", 20,
+                      *settings(integrator__method=method))
+            self.assertLess(np.abs(np.load(self.place / "out" / "small.positions.npy")
+                                   - places).max(), 1e-4, method)
+
+    def test_the_automatic_method_says_why(self):
+        done = self.weft("run", self.small_scene(), "-o", "out",
+                         *settings(integrator__method="auto", integrator__time_step="auto"))
+        self.assertEqual(self.summary("out")["method"], "velocity-verlet")
+        self.assertRegex(done.stderr, "velocity-verlet because .* cost less than")
+        self.assertEqual(self.summary("out")["scene"]["integrator"]["method"], "auto")
+        self.weft("run", self.small_scene(), "-o", "out", *settings(
+            integrator__method="auto", integrator__time_step="auto",
+            material__structural__stiffness=1e9))
+        found = self.summary("out")
+        self.assertEqual((found["method"], found["linear_solver"]), ("tr-bdf2", "multigrid"))
+        self.assertRegex(found["method_reason"], "cost more than")
+        self.assertGreater(found["solver"]["newton_iterations"], 0)
+
     def test_quiet_says_nothing(self):
         done = self.weft("run", self.small_scene(), "--quiet")
         self.assertEqual((done.stdout, done.stderr), ("", ""))
@@ -155,7 +184,7 @@ class DeterminismTest(CommandTest):
         self.assertEqual(len(set(self.hashes(*arguments))), 1)
 
     def test_large_sheet(self):
-        for method in ("velocity-verlet", "rk4"):
+        for method in ("velocity-verlet", "rk4", "tr-bdf2", "dopri5", "vbd"):
             self.assert_all_same("sheet", "--frames", 3, *settings(
                 cloth__resolution="[210,140]", integrator__method=method, output__formats="[]"))
 

@@ -18,6 +18,8 @@ SOURCE = pathlib.Path(os.environ["WEFT_SOURCE_DIR"])
 SCENES = SOURCE / "tests" / "end_to_end" / "scenes"
 METHODS = ("forward-euler", "symplectic-euler", "verlet", "time-corrected-verlet", "velocity-verlet",
            "rk2", "rk3", "rk4", "yoshida4", "forest-ruth")
+UNLIMITED = ("bosh3", "dopri5", "implicit-euler", "implicit-midpoint", "trapezoidal", "bdf2",
+             "tr-bdf2", "sdirk2", "baraff-witkin", "projective-dynamics", "xpbd", "vbd")
 ENDLESS = 10_000_000  # frames: hours, for runs that are to be interrupted
 
 # A run of a few milliseconds: sixty particles, two steps a frame, arrays out.

@@ -4,8 +4,8 @@
 
 #include <Eigen/Dense>
 
-#include "support/spring_pendulum.h"
 #include "support/methods.h"
+#include "support/spring_pendulum.h"
 
 namespace weft::test {
 namespace {

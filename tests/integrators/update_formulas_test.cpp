@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
-#include "support/spring_pendulum.h"
 #include "support/methods.h"
+#include "support/spring_pendulum.h"
 
 namespace weft::test {
 namespace {

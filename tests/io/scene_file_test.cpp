@@ -113,12 +113,16 @@ gust = { model = "coefficient", spread = 0.5, period = 2, seed = 922337203685477
 method = "rk4"
 time_step = 0.001
 precision = "double"
+tolerance = 1e-7
+iterations = 12
+linear_solver = "cholesky"
 on_divergence = "halve-step"
 [output]
 duration = 0
 frames_per_second = 31.25
 formats = []
 energy_balance = true
+settle = false
 [render]
 size = [640, 480]
 texture = "plain"
@@ -140,8 +144,10 @@ field_of_view = 50
         R"("wind":{"velocity":[1.0,2.0,3.0],"air_density":0.0,"drag":2.0,"skin_friction":0.0,)"
         R"("gust":{"model":"coefficient","spread":0.5,"period":2.0,"seed":9223372036854775807}},)"
         R"("integrator":{"method":"rk4","time_step":0.001,"precision":"double",)"
+        R"("tolerance":1e-07,"iterations":12,"linear_solver":"cholesky",)"
         R"("on_divergence":"halve-step"},)"
-        R"("output":{"duration":0.0,"frames_per_second":31.25,"formats":[],"energy_balance":true},)"
+        R"("output":{"duration":0.0,"frames_per_second":31.25,"formats":[],"energy_balance":true,)"
+        R"("settle":false},)"
         R"("render":{"size":[640,480],"texture":"plain","mast":true,"ground":false,)"
         R"("camera":[0.0,1.0,5.0],"target":"auto","field_of_view":50.0}})");
     EXPECT_EQ(scene.frame_count(), 0U);

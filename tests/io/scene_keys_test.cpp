@@ -25,7 +25,7 @@ TEST(SceneKeys, StandOnce) {
         EXPECT_TRUE(seen.insert(row.key).second) << row.key;
         EXPECT_EQ(find_scene_key(row.key), &row);
     }
-    EXPECT_EQ(seen.size(), 46U);
+    EXPECT_EQ(seen.size(), 50U);
     EXPECT_EQ(find_scene_key("cloth"), nullptr);
 }
 

@@ -144,7 +144,8 @@ TEST(SceneOverride, ErrorsNameTheOverride) {
               "number, 0 or more");
     EXPECT_EQ(error("integrator.metod", "rk4"),
               "--set integrator.metod=rk4: integrator.metod: unknown key (value \"rk4\"); did you "
-              "mean integrator.method? Known here: method, time_step, precision, on_divergence");
+              "mean integrator.method? Known here: method, time_step, precision, tolerance, "
+              "iterations, linear_solver, on_divergence");
     EXPECT_EQ(error("pins[2].select", "top-edge"),
               "--set pins[2].select=top-edge: pins[2].select: the scene file has no value of this "
               "index");

@@ -85,7 +85,10 @@ TEST(ImplicitRuns, StayFiniteAtAHundredTimesTheExplicitLimit) {
                 const FrameReport report = simulation.advance_frame();
                 ASSERT_TRUE(report.ok()) << info.name << ": " << report.divergence->message;
             }
-            EXPECT_LT(std::abs(simulation.largest_strain().strain), 1.0) << info.name;
+            // Those that do not damp what they cannot resolve let it ring, and may gain energy.
+            const bool damps = amplification(info.name, 1e6, 0.0) < 0.5;
+            EXPECT_LT(std::abs(simulation.largest_strain().strain), damps ? 1.0 : 100.0)
+                << info.name;
             EXPECT_GE(simulation.solver_counts().newton_iterations, 60u) << info.name;
         }
     }

@@ -154,9 +154,16 @@ TEST(CheckScene, SaysValueAndWhatIsAllowed) {
               "least 2");
     EXPECT_EQ(
         refusal([](S& s) { s.integrator.method = "rk44"; }),
-        "integrator.method: \"rk44\" is not allowed: auto, forward-euler, symplectic-euler, verlet, "
-        "time-corrected-verlet, velocity-verlet, rk2, rk3, rk4, yoshida4, forest-ruth (did "
-        "you mean rk4?)");
+        "integrator.method: \"rk44\" is not allowed: auto, forward-euler, symplectic-euler, "
+        "verlet, "
+        "time-corrected-verlet, velocity-verlet, rk2, rk3, rk4, yoshida4, forest-ruth, bosh3, "
+        "dopri5, implicit-euler, implicit-midpoint, trapezoidal, bdf2, tr-bdf2, sdirk2, "
+        "baraff-witkin, projective-dynamics, xpbd, vbd (did you mean rk4?)");
+    EXPECT_EQ(refusal([](S& s) { s.integrator.tolerance = -1.0; }),
+              "integrator.tolerance: -1 is not allowed: a finite number above 0, or \"auto\"");
+    EXPECT_EQ(refusal([](S& s) { s.integrator.iterations = 100'001; }),
+              "integrator.iterations: 100001 is not allowed: an integer from 1 to 100000, or "
+              "\"auto\"");
     EXPECT_EQ(refusal([](S& s) { s.material.fabric = "jute"; }),
               "material.fabric: \"jute\" is not allowed: silk, cotton, wool, denim, leather, flag");
 }
