@@ -39,12 +39,14 @@ void set_velocity(const ImplicitSystem& system, const ImplicitStage& stage, Vec3
     system.constrain(stage.t, x, v);
 }
 
+// Not finite where one of them is not.
 double longest(const Vec3Array<double>& d) {
     const auto view = d.view();
     double squared = 0.0;
     for (std::size_t s = 0; s < view.size; ++s) {
-        squared = std::max(squared,
-                           view.x[s] * view.x[s] + view.y[s] * view.y[s] + view.z[s] * view.z[s]);
+        const double here = view.x[s] * view.x[s] + view.y[s] * view.y[s] + view.z[s] * view.z[s];
+        if (!(here <= squared)) squared = here;
+        if (std::isnan(squared)) break;
     }
     return std::sqrt(squared);
 }
@@ -132,7 +134,8 @@ NewtonReport NewtonSolver::solve(ImplicitSystem& system, const ImplicitStage& st
     memory_.clear();
     evaluate(system, stage, x.view(), v.view());
     double squared = dot(b_, b_), before = 0.0;
-    report_.converged = squared == 0.0;
+    report_.residual = longest(b_);
+    report_.converged = report_.residual <= limits.force;
     while (!report_.converged && report_.iterations < limits.max_iterations &&
            std::isfinite(squared)) {
         const double ratio = before > 0.0 ? squared / before : 1.0;
@@ -140,9 +143,10 @@ NewtonReport NewtonSolver::solve(ImplicitSystem& system, const ImplicitStage& st
         if (!iterate(system, stage, forcing, x, v)) break;
         before = squared;
         squared = dot(b_, b_);
-        report_.converged = report_.displacement <= limits.tolerance;
+        report_.residual = longest(b_);
+        report_.converged =
+            report_.displacement <= limits.tolerance || report_.residual <= limits.force;
     }
-    report_.residual = std::sqrt(squared);
     return report_;
 }
 
@@ -157,7 +161,7 @@ NewtonReport NewtonSolver::solve_once(ImplicitSystem& system, const ImplicitStag
     move(x.view(), 1.0, std::as_const(d_).view(), x.view());
     set_velocity(system, stage, x.view(), v.view());
     report_.displacement = longest(d_);
-    report_.residual = std::sqrt(dot(b_, b_));
+    report_.residual = longest(b_);
     report_.converged = report_.linear_converged && std::isfinite(report_.displacement);
     return report_;
 }

@@ -19,8 +19,9 @@ struct ImplicitStage {
 };
 
 struct NewtonLimits {
-    double tolerance = 1e-5;    ///< ends when no particle moved farther in an iteration [m]
+    double tolerance = 1e-5;    ///< ends when no particle moved farther in an iteration [m] ...
     int max_iterations = 1000;  ///< not converged by then: a failure
+    double force = 0.0;         ///< ... or feels no larger unbalanced force [N]
 };
 
 /// What a solution came to.
@@ -30,7 +31,7 @@ struct NewtonReport {
     int linear_iterations = 0;  ///< within them
     int evaluations = 0;        ///< of the forces
     double displacement = 0.0;  ///< largest of a particle in the last iteration [m]
-    double residual = 0.0;      ///< length of the unbalanced force at the end [N]
+    double residual = 0.0;      ///< largest unbalanced force on a particle at the end [N]
     bool linear_converged = true;
     double linear_residual = 0.0;  ///< relative, of the last linear solve
 };

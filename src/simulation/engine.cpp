@@ -316,7 +316,7 @@ SettleReport ClothEngine<Real>::settle() {
         [&](std::size_t, std::size_t slot) { x.set(slot, vec3_cast<double>(state_.x[slot])); });
     const double weight = length(scene_.forces.gravity) * cloth_.total_mass() /
                           static_cast<double>(cloth_.particle_count);
-    settle_report_ = weft::settle(system, state_.time, weight, {}, x.view());
+    settle_report_ = weft::settle(system, state_.time, weight, {}, x);
     if (settle_report_->converged) {
         cloth_.layout.for_each(
             [&](std::size_t, std::size_t slot) { state_.x.set(slot, vec3_cast<Real>(x[slot])); });

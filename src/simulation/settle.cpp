@@ -6,99 +6,63 @@
 #include <cmath>
 #include <utility>
 
+#include "integrators/newton.h"
+
 namespace weft {
 
 namespace {
 
-constexpr double first_tau = 1.0 / 60.0, least_tau = 1e-4, largest_tau = 1e3;  // [s]
-constexpr double loosest = 0.1, tightest = 1e-6;                               // linear solves
-constexpr double overshoot = 0.5;  // of the slope along a step, that it may end with
+constexpr double first_tau = 1.0 / 60.0, least_tau = 1e-4, largest_tau = 1e4;  // [s]
+constexpr double growth = 2.0;  // of tau, from step to step
+constexpr double enough = 0.5;  // of the largest force: what a step is solved to
 
-// A search for rest: the state, its unbalanced force b, and the step's length tau.
+// Newton's at most, in one implicit step: what takes more is better begun anew, and shorter.
+constexpr int iterations_a_step = 20;
+
+double longest(const Vec3Array<double>& array) {
+    double longest = 0.0;
+    for (std::size_t s = 0; s < array.size(); ++s) {
+        const double here = length(array[s]);
+        if (!(here <= longest)) longest = here;  // not finite: stays so
+    }
+    return longest;
+}
+
+// A search for rest by implicit steps from a standing start.
 class Search {
 public:
-    Search(ImplicitSystem& system, double t, Vec3View<double> x)
-        : system_(system), t_(t), x_(x), start_(x.size), v_(x.size), b_(x.size), d_(x.size) {
-        evaluate();
+    Search(ImplicitSystem& system, double t, Vec3Array<double>& x)
+        : system_(system), t_(t), x_(x), start_(x), still_(x.size()), v_(x.size()), b_(x.size()) {
+        newton_.prepare(x.size());
     }
 
-    [[nodiscard]] double largest_force() const { return std::sqrt(largest_squared_); }
-    [[nodiscard]] std::size_t linear_iterations() const { return linear_iterations_; }
-    [[nodiscard]] bool is_finite() const { return std::isfinite(largest_squared_); }
-
-    // One Newton iteration of one implicit step. False: no way down.
-    bool advance() {
-        const double before = sum_of_squares_;
-        system_.linearise(t_, 1.0 / tau_, x_, v_.view());
-        const LinearReport linear = system_.solve(std::as_const(b_).view(), forcing_, d_.view());
-        linear_iterations_ += static_cast<std::size_t>(linear.iterations);
-        const double fraction = move();
-        if (fraction == 0.0) return false;
-        const double ratio = before > 0.0 ? sum_of_squares_ / before : 0.0;
-        forcing_ = std::clamp(0.9 * ratio, tightest, loosest);
-        // Switched evolution relaxation: as the force falls, the step grows.
-        const double growth = fraction < 0.5 ? 0.5 : std::clamp(1.0 / std::sqrt(ratio), 1.2, 4.0);
-        tau_ = std::clamp(tau_ * growth, least_tau, largest_tau);
-        return true;
+    // The largest unbalanced force on a particle at rest in x [N].
+    double largest_force() {
+        system_.constrain(t_, x_.view(), v_.view());
+        system_.acceleration(t_, std::as_const(x_).view(), std::as_const(still_).view(), b_.view());
+        const auto w = system_.inverse_masses();
+        for (std::size_t s = 0; s < b_.size(); ++s) b_.set(s, w[s] > 0.0 ? b_[s] / w[s] : Vec3d{});
+        return longest(b_);
     }
 
-    // A step from here with a tenth of the length; false: it is at its shortest.
-    bool shorten() {
-        if (tau_ <= least_tau) return false;
-        tau_ = std::max(tau_ / 10.0, least_tau);
-        return true;
+    // A step of tau, which ends where no force is larger than `force`.
+    NewtonReport step(double tau, double force, int most_iterations) {
+        start_ = x_;
+        NewtonLimits limits;
+        limits.tolerance = 0.0;
+        limits.force = force;
+        limits.max_iterations = std::min(iterations_a_step, most_iterations);
+        const ImplicitStage stage{t_, tau, std::as_const(start_).view(),
+                                  std::as_const(still_).view()};
+        return newton_.solve(system_, stage, limits, x_, v_);
     }
 
 private:
-    void evaluate() {
-        v_.fill_zero();
-        Vec3Array<double>& still = v_;
-        system_.constrain(t_, x_, still.view());
-        still.fill_zero();
-        system_.acceleration(t_, x_, std::as_const(still).view(), b_.view());
-        const auto w = system_.inverse_masses();
-        largest_squared_ = sum_of_squares_ = 0.0;
-        for (std::size_t s = 0; s < x_.size; ++s) {
-            const Vec3d force = w[s] > 0.0 ? b_[s] / w[s] : Vec3d{};
-            b_.set(s, force);
-            const double squared = dot(force, force);
-            largest_squared_ =
-                squared > largest_squared_ || !std::isfinite(squared) ? squared : largest_squared_;
-            sum_of_squares_ += squared;
-        }
-    }
-
-    [[nodiscard]] double slope() const {
-        double sum = 0.0;
-        for (std::size_t s = 0; s < x_.size; ++s) sum += dot(b_[s], d_[s]);
-        return sum;
-    }
-
-    // Along d, less far where that overshoots; as NewtonSolver does. 0: nowhere, x is as it was.
-    double move() {
-        const double first = slope();
-        if (!(first > 0.0) || !std::isfinite(first)) return 0.0;
-        for (std::size_t s = 0; s < x_.size; ++s) start_.set(s, x_[s]);
-        double fraction = 1.0;
-        for (int n = 0; n < 20; ++n) {
-            for (std::size_t s = 0; s < x_.size; ++s) x_.set(s, start_[s] + fraction * d_[s]);
-            evaluate();
-            const double last = slope();
-            if (last >= -overshoot * first) return fraction;
-            fraction *= std::isfinite(last) ? std::clamp(first / (first - last), 0.1, 0.7) : 0.1;
-        }
-        for (std::size_t s = 0; s < x_.size; ++s) x_.set(s, start_[s]);
-        evaluate();
-        return 0.0;
-    }
-
     ImplicitSystem& system_;
     double t_;
-    Vec3View<double> x_;
-    Vec3Array<double> start_, v_, b_, d_;
-    double tau_ = first_tau, forcing_ = loosest;
-    double largest_squared_ = 0.0, sum_of_squares_ = 0.0;
-    std::size_t linear_iterations_ = 0;
+    Vec3Array<double>& x_;
+    Vec3Array<double> start_, still_, v_, b_;
+    NewtonSolver newton_;
 };
 
 std::string message(const SettleReport& report, double weight) {
@@ -112,21 +76,26 @@ std::string message(const SettleReport& report, double weight) {
 }  // namespace
 
 SettleReport settle(ImplicitSystem& system, double t, double weight, const SettleLimits& limits,
-                    Vec3View<double> x) {
+                    Vec3Array<double>& x) {
     Search search(system, t, x);
-    const double scale = weight > 0.0 ? weight : search.largest_force();
-    const auto is_at_rest = [&] {
-        return search.largest_force() <= limits.relative_residual * scale;
-    };
     SettleReport report;
-    while (!is_at_rest() && search.is_finite() &&
-           report.newton_iterations < static_cast<std::size_t>(limits.max_iterations)) {
-        ++report.newton_iterations;
-        if (!search.advance() && !search.shorten()) break;
-    }
-    report.converged = is_at_rest();
-    report.linear_iterations = search.linear_iterations();
     report.residual = search.largest_force();
+    const double scale = weight > 0.0 ? weight : report.residual;
+    const double force = limits.relative_residual * scale;
+    double tau = first_tau;
+    while (report.residual > force &&
+           report.newton_iterations < static_cast<std::size_t>(limits.max_iterations)) {
+        const int left = limits.max_iterations - static_cast<int>(report.newton_iterations);
+        const NewtonReport step =
+            search.step(tau, std::max(force / 2.0, enough * report.residual), left);
+        report.newton_iterations += static_cast<std::size_t>(step.iterations);
+        report.linear_iterations += static_cast<std::size_t>(step.linear_iterations);
+        if (step.iterations == 0) break;  // forces that are not finite
+        report.residual = search.largest_force();
+        // What is solved may be followed by a longer step; what is not was too long.
+        tau = std::clamp(step.converged ? tau * growth : tau / growth, least_tau, largest_tau);
+    }
+    report.converged = report.residual <= force;
     report.relative_residual = scale > 0.0 ? report.residual / scale : 0.0;
     report.message = message(report, weight);
     return report;

@@ -12,12 +12,12 @@ struct SettleLimits {
 };
 
 /// Moves x [slot] to a state of rest at time t by pseudo-transient continuation (Kelley, Keyes
-/// 1998): implicit steps that forget their velocity, each one Newton iteration, and the longer the
-/// nearer to rest. Short steps lead through buckling, where the static problem has no unique way;
-/// long ones end with Newton's convergence.
+/// 1998): implicit Euler steps that forget their velocity, each longer than the last. Short ones
+/// lead through buckling, where the static problem has no unique way; in the longest inertia no
+/// longer counts, and what Newton solves is the static problem.
 /// @param weight mean weight of a free particle [N]; 0 where there is no gravity: the first largest
 ///        unbalanced force counts in its place.
 SettleReport settle(ImplicitSystem& system, double t, double weight, const SettleLimits& limits,
-                    Vec3View<double> x);
+                    Vec3Array<double>& x);
 
 }  // namespace weft
