@@ -1,5 +1,6 @@
 #include "cloth/cloth_model.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <numeric>
@@ -27,16 +28,15 @@ double ClothModel::total_mass() const {
     return std::reduce(masses.begin(), masses.end());
 }
 
-double ClothModel::mean_edge_length() const {
-    if (is_grid()) return (shape.dx + shape.dy) / 2.0;
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (const Spring& spring : springs) {
-        if (spring.kind != SpringKind::structural) continue;
-        sum += spring.rest_length;
-        ++count;
+double ClothModel::rest_diagonal() const {
+    if (particle_count == 0) return 0.0;
+    Vec3d low = rest_position(0), high = low;
+    for (std::size_t p = 1; p < particle_count; ++p) {
+        const Vec3d x = rest_position(p);
+        low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+        high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
     }
-    return count > 0 ? sum / static_cast<double>(count) : 0.0;
+    return length(high - low);
 }
 
 std::string ClothModel::particle_name(std::size_t particle) const {

@@ -61,8 +61,8 @@ struct ClothModel {
 
     [[nodiscard]] double total_mass() const;  ///< [kg]
 
-    /// Mean rest length of the structural springs: of the edges [m].
-    [[nodiscard]] double mean_edge_length() const;
+    /// Diagonal of the box around the cloth as it starts [m].
+    [[nodiscard]] double rest_diagonal() const;
 
     /// "12 (column 12, row 0)" on a grid, "12" on a mesh.
     [[nodiscard]] std::string particle_name(std::size_t particle) const;

@@ -43,6 +43,15 @@ void extrapolate(const Vec3Array<Real>& now, const Vec3Array<Real>& then, Vec3Ar
     component(a.z, b.z, to.z);
 }
 
+// out = x + h v: where the cloth would go by itself, Newton's first guess. Accelerations are left
+// out, in stiff cloth they are of its shortest waves.
+void drift(const Vec3Array<double>& x, double h, const Vec3Array<double>& v,
+           Vec3Array<double>& out) {
+    const double *const from = x.data(), *const by = v.data();
+    double* const to = out.data();
+    for (std::size_t n = 0; n < out.data_size(); ++n) to[n] = from[n] + h * by[n];
+}
+
 // lambda dt of the mode x'' = -w^2 x - 2 zeta w x'.
 std::array<std::complex<double>, 2> mode_roots(double omega_dt, double zeta) {
     const std::complex<double> root = std::sqrt(std::complex<double>(zeta * zeta - 1.0));
@@ -100,13 +109,6 @@ double bdf2_amplification(double omega_dt, double zeta) {
 
 std::optional<StepFailure> StageSolver::solve(ImplicitSystem& system, const ImplicitStage& stage,
                                               Vec3Array<double>& x, Vec3Array<double>& v) {
-    const auto target = x.view();
-    const auto guess = [&](const double* at, const double* slope, double* out) {
-        for (std::size_t s = 0; s < target.size; ++s) out[s] = at[s] + stage.tau * slope[s];
-    };
-    guess(stage.x0.x, stage.v0.x, target.x);
-    guess(stage.x0.y, stage.v0.y, target.y);
-    guess(stage.x0.z, stage.v0.z, target.z);
     const NewtonReport report = single_solve_ ? newton_.solve_once(system, stage, x, v)
                                               : newton_.solve(system, stage, limits_, x, v);
     counts_.evaluations += static_cast<std::size_t>(report.evaluations);
@@ -188,6 +190,7 @@ StepReport DiagonallyImplicit<Real>::step(DynamicsSystem<Real>& system, double d
         }
         const ImplicitStage stage{t, gamma * dt, std::as_const(x0_).view(),
                                   std::as_const(v0_).view()};
+        drift(x_, table_.c[i] * dt, v_, stage_x_);
         if (auto failure = solver_.solve(implicit, stage, stage_x_, velocities_[i])) {
             return {std::move(failure)};
         }
@@ -229,6 +232,9 @@ StepReport Bdf2<Real>::step(DynamicsSystem<Real>& system, double dt, ParticleSta
     extrapolate(state.v, v_before_, v0_);
     const ImplicitStage stage{state.time + dt, 2.0 / 3.0 * dt, std::as_const(x0_).view(),
                               std::as_const(v0_).view()};
+    convert(state.x, x_);
+    convert(state.v, v_);
+    drift(x_, dt, v_, x_);
     if (auto failure = solver_.solve(*system.implicit_system(), stage, x_, v_)) {
         return {std::move(failure)};
     }

@@ -33,7 +33,7 @@ public:
 
     void prepare(std::size_t slots) { newton_.prepare(slots); }
 
-    /// As NewtonSolver::solve, from the guess x0 + tau v0.
+    /// As NewtonSolver::solve.
     std::optional<StepFailure> solve(ImplicitSystem& system, const ImplicitStage& stage,
                                      Vec3Array<double>& x, Vec3Array<double>& v);
 

@@ -13,6 +13,8 @@ constexpr double least_forcing = 1e-8;   // inner solves are in float: tighter i
 constexpr double single_forcing = 1e-4;  // where there is no second solve to mend the first
 constexpr double overshoot = 0.5;        // of the slope, that a step may end with
 constexpr int max_shortenings = 30;
+constexpr int patience = 10;  // iterations without a smaller force, until steps are halved
+constexpr double least_damping = 1.0 / 64.0;
 constexpr std::size_t remembered_pairs = 5;  // as in Liu, Bouaziz, Kavan (2017)
 
 // to = from + fraction by
@@ -93,7 +95,7 @@ double NewtonSolver::move_along(ImplicitSystem& system, const ImplicitStage& sta
                                 Vec3Array<double>& x, Vec3Array<double>& v) {
     start_ = x;
     b_before_ = b_;
-    double fraction = 1.0;
+    double fraction = damping_;
     for (int n = 0; n < max_shortenings; ++n) {
         move(start_.view(), fraction, std::as_const(d_).view(), x.view());
         evaluate(system, stage, x.view(), v.view());
@@ -132,8 +134,10 @@ NewtonReport NewtonSolver::solve(ImplicitSystem& system, const ImplicitStage& st
                                  Vec3Array<double>& v) {
     report_ = {};
     memory_.clear();
+    damping_ = 1.0;
     evaluate(system, stage, x.view(), v.view());
-    double squared = dot(b_, b_), before = 0.0;
+    double squared = dot(b_, b_), before = 0.0, best = squared;
+    int since_best = 0;
     report_.residual = longest(b_);
     report_.converged = report_.residual <= limits.force;
     while (!report_.converged && report_.iterations < limits.max_iterations &&
@@ -143,6 +147,12 @@ NewtonReport NewtonSolver::solve(ImplicitSystem& system, const ImplicitStage& st
         if (!iterate(system, stage, forcing, x, v)) break;
         before = squared;
         squared = dot(b_, b_);
+        since_best = squared < best ? 0 : since_best + 1;
+        best = std::min(best, squared);
+        if (since_best == patience) {
+            damping_ = std::max(damping_ / 2.0, least_damping);
+            since_best = 0;
+        }
         report_.residual = longest(b_);
         report_.converged =
             report_.displacement <= limits.tolerance || report_.residual <= limits.force;

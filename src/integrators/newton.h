@@ -46,6 +46,10 @@ struct NewtonReport {
 /// Newton alone would creep. The last five steps and changes of b correct it: L-BFGS with Newton's
 /// matrix as the first guess of the Hessian, as Liu, Bouaziz, Kavan (2017) have it with a constant
 /// one.
+///
+/// Where the force has not become smaller for ten iterations, steps are halved: the air's force
+/// turns with the cloth, which the matrix does not know, and in strong wind and long steps whole
+/// steps would go round in circles.
 class NewtonSolver {
 public:
     /// Sizes the work arrays.
@@ -76,6 +80,7 @@ private:
 
     Vec3Array<double> b_, b_before_, r_, d_, start_;
     LimitedMemory memory_;
+    double damping_ = 1.0;  // the first fraction of d that is tried
     NewtonReport report_;
 };
 

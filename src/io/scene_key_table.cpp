@@ -149,7 +149,7 @@ const std::array table{
         "32- or 64-bit floating point.",
         +[](S& s, Pin) -> Precision& { return s.integrator.precision; }},
     SceneKey{"integrator.tolerance", "m", "\"auto\"", scene_rules::tolerance,
-        "Of methods that control their error (dopri5, bosh3): the largest local error of a position in a step; \"auto\" is 1e-5 m. Of implicit ones: a step is solved when no particle moved farther in the last iteration; \"auto\" is 0.002 of the mean edge.",
+        "Of methods that control their error (dopri5, bosh3): the largest local error of a position in a step; \"auto\" is 1e-5 m. Of implicit ones: a step is solved when no particle moved farther in the last iteration; \"auto\" is 1/20000 of the cloth's diagonal.",
         +[](S& s, Pin) -> std::optional<double>& { return s.integrator.tolerance; }},
     SceneKey{"integrator.iterations", "", "\"auto\"", scene_rules::iterations,
         "Most iterations a step, of methods that iterate.",

@@ -179,10 +179,10 @@ void ClothEngine<Real>::change_integrator() {
 
 template <typename Real>
 std::optional<double> ClothEngine<Real>::tolerance_of(const std::string& method) const {
-    constexpr double of_mean_edge = 2e-3;
+    constexpr double of_diagonal = 5e-5;
     if (scene_.integrator.tolerance) return scene_.integrator.tolerance;
     if (find_integrator(method)->kind == IntegratorKind::adaptive) return std::nullopt;
-    return of_mean_edge * cloth_.mean_edge_length();
+    return of_diagonal * cloth_.rest_diagonal();
 }
 
 template <typename Real>
