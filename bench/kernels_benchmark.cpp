@@ -48,6 +48,7 @@ void register_others() {
 
 [[maybe_unused]] const bool registered = [] {
     for (const IntegratorInfo& info : integrator_catalogue()) {
+        if (info.kind != IntegratorKind::explicit_steps) continue;
         for (const int size : {40, 256}) {
             for (const Precision precision : {Precision::f32, Precision::f64}) {
                 register_steps(info.name, size, precision);

@@ -3,14 +3,19 @@
 
 #include <chrono>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "bench/suite/suite.h"
 #include "cli/bench_plot.h"
 #include "cli/bench_report.h"
 #include "cli/commands.h"
+#include "cli/implicit_frame_report.h"
 #include "cli/interrupt.h"
+#include "cli/motion_report.h"
 
 namespace weft {
 
@@ -20,15 +25,16 @@ namespace {
 // elsewhere the table itself shows how far it is.
 class BenchProgress {
 public:
-    BenchProgress(std::size_t groups, bool enabled)
-        : groups_(groups), enabled_(enabled && isatty(STDERR_FILENO) != 0) {}
+    BenchProgress(std::size_t parts, bool enabled)
+        : parts_(parts), enabled_(enabled && isatty(STDERR_FILENO) != 0) {}
     ~BenchProgress() { clear(); }
     BenchProgress(const BenchProgress&) = delete;
     BenchProgress& operator=(const BenchProgress&) = delete;
 
-    void show(std::size_t group, const std::string& what) const {
+    void show(const std::string& what) {
+        ++part_;
         if (!enabled_) return;
-        fmt::print(stderr, "\r{}/{}  {}\x1b[K", group + 1, groups_, what);
+        fmt::print(stderr, "\r{}/{}  {}\x1b[K", part_, parts_, what);
         std::fflush(stderr);
     }
     void clear() const {
@@ -38,36 +44,107 @@ public:
     }
 
 private:
-    std::size_t groups_;
+    std::size_t parts_, part_ = 0;
     bool enabled_;
 };
 
-std::string shown_label(const bench::Group& group) {
-    for (const bench::Entry& entry : group.entries) {
+template <typename Group>
+std::string shown_label(const Group& group) {
+    for (const auto& entry : group.entries) {
         if (entry.shown) return entry.label.text();
     }
     return {};
 }
 
-// Times all groups, and prints the table as it grows; an interrupt ends it early.
-std::vector<bench::Row> time_plan(const bench::Plan& plan, const bench::Machine& machine,
-                                  const bench::PlanOptions& options, bool json) {
-    std::vector<bench::Row> all;
-    const BenchProgress progress(plan.groups.size(), !json);
-    if (!json) fmt::print("{}\n{}", machine_text(machine), bench_table_head());
-    for (std::size_t n = 0; n < plan.groups.size() && !interrupted(); ++n) {
-        const bench::Group& group = plan.groups[n];
-        progress.show(n, shown_label(group));
-        for (bench::Row& row :
-             bench::time_group(group, machine, options.least_seconds(), interrupted)) {
-            progress.clear();
-            if (!json) fmt::print("{}", bench_table_line(row));
-            all.push_back(std::move(row));
-        }
+// Times a plan, part after part, and prints the tables as they grow; an interrupt ends it early.
+class BenchRun {
+public:
+    BenchRun(const bench::Plan& plan, const bench::PlanOptions& options, bool json)
+        : plan_(plan),
+          options_(options),
+          json_(json),
+          progress_(plan.groups.size() + plan.frames.size() + plan.motions.size(), !json) {}
+
+    void time_all() {
+        machine_ = bench::measure_machine();
+        print(machine_text(machine_));
+        time_steps();
+        time_frames();
+        time_motions();
+    }
+
+    [[nodiscard]] const std::vector<bench::Row>& rows() const { return rows_; }
+    /// What could not be timed; empty: all could.
+    [[nodiscard]] const std::string& failure() const { return failure_; }
+    /// { "machine": {...}, "rows": [...] }, docs/cli.md.
+    [[nodiscard]] nlohmann::ordered_json json() const {
+        return {{"machine", machine_json(machine_)}, {"rows", json_rows_}};
+    }
+
+private:
+    void print(const std::string& text) const {
+        if (json_) return;
+        progress_.clear();
+        fmt::print("{}", text);
         std::fflush(stdout);
     }
-    return all;
-}
+
+    void failed(const bench::Label& label, const std::string& note) {
+        if (failure_.empty()) failure_ = label.text() + ": " + note;
+    }
+
+    void time_steps() {
+        if (!plan_.groups.empty()) print(bench_table_head());
+        for (const bench::Group& group : plan_.groups) {
+            if (interrupted()) return;
+            progress_.show(shown_label(group));
+            for (const bench::Row& row :
+                 bench::time_group(group, machine_, options_.least_seconds(), interrupted)) {
+                print(bench_table_line(row));
+                json_rows_.push_back(row_json(row));
+                rows_.push_back(row);
+                if (row.diverged) failed(row.label, row.note);
+            }
+        }
+    }
+
+    void time_frames() {
+        if (!plan_.frames.empty() && !interrupted()) print(frame_table_head());
+        for (const bench::FrameGroup& group : plan_.frames) {
+            if (interrupted()) return;
+            progress_.show(shown_label(group));
+            for (const bench::FrameRow& row : bench::time_frames(group, interrupted)) {
+                print(frame_table_line(row));
+                json_rows_.push_back(frame_json(row));
+                if (!row.note.empty()) failed(row.label, row.note);
+            }
+        }
+    }
+
+    // A method that cannot make the motion is a result, not a failure.
+    void time_motions() {
+        if (plan_.motions.empty() || interrupted()) return;
+        const bench::MotionReference reference = bench::motion_reference();
+        print(motion_table_head(reference));
+        for (const bench::MotionEntry& entry : plan_.motions) {
+            progress_.show(entry.label.text());
+            const auto row =
+                bench::time_motion(entry, reference, plan_.motion_repeats, interrupted);
+            if (!row) return;
+            print(motion_table_line(*row));
+            json_rows_.push_back(motion_json(*row, reference));
+        }
+    }
+
+    const bench::Plan& plan_;
+    const bench::PlanOptions& options_;
+    bool json_;
+    BenchProgress progress_;
+    bench::Machine machine_;
+    std::vector<bench::Row> rows_;
+    nlohmann::ordered_json json_rows_ = nlohmann::ordered_json::array();
+    std::string failure_;
+};
 
 }  // namespace
 
@@ -80,20 +157,17 @@ int bench_command(const BenchOptions& options) {
     if (!options.plot.empty()) plot.emplace(options.plot);
     if (plan.needs_copies) plan.copies->start();
     watch_for_interrupt();
-    const bench::Machine machine = bench::measure_machine();
-    const std::vector<bench::Row> rows = time_plan(plan, machine, plan_options, options.json);
+    BenchRun run(plan, plan_options, options.json);
+    run.time_all();
     if (interrupted()) return exit_interrupted;
-    if (options.json) fmt::print("{}\n", bench_json(machine, rows).dump(2));
+    if (options.json) fmt::print("{}\n", run.json().dump(2));
     if (plot) {
-        plot->draw(rows, !options.filter.empty());
+        plot->draw(run.rows(), !options.filter.empty());
         if (!options.json) fmt::print("{}\n", options.plot);
     }
-    for (const bench::Row& row : rows) {
-        if (!row.diverged) continue;
-        fmt::print(stderr, "weft: {}: {}\n", row.label.text(), row.note);
-        return exit_diverged;
-    }
-    return exit_done;
+    if (run.failure().empty()) return exit_done;
+    fmt::print(stderr, "weft: {}\n", run.failure());
+    return exit_diverged;
 }
 
 }  // namespace weft

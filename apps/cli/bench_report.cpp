@@ -24,37 +24,6 @@ const char* precision_name(Precision precision) {
     return precision == Precision::f32 ? "single" : "double";
 }
 
-Json row_json(const bench::Row& row) {
-    return {{"case", row.label.name},
-            {"columns", row.label.columns},
-            {"rows", row.label.rows},
-            {"precision", precision_name(row.label.precision)},
-            {"threads", row.label.threads},
-            {"ns_per_particle_step", json_of(row.ns_per_particle_step)},
-            {"ratio_to_textbook", json_of(row.ratio_to_textbook)},
-            {"gflops", json_of(row.gflops)},
-            {"fraction_of_peak", json_of(row.fraction_of_peak)},
-            {"ms_per_frame", json_of(row.ms_per_frame)},
-            {"sag", json_of(row.sag)},
-            {"note", json_of(row.note)}};
-}
-
-Json machine_json(const bench::Machine& machine) {
-    Json bandwidths = Json::array();
-    for (const bench::Machine::Bandwidth& bandwidth : machine.bandwidths) {
-        bandwidths.push_back({{"where", bandwidth.where},
-                              {"bytes", bandwidth.bytes},
-                              {"gb_per_s", bandwidth.gb_per_s}});
-    }
-    return {{"processor", machine.processor},
-            {"hardware_threads", machine.threads},
-            {"instruction_set", machine.instruction_set},
-            {"compiler", machine.compiler},
-            {"peak_gflops", {{"single", machine.peak_single}, {"double", machine.peak_double}}},
-            {"update_bandwidth", bandwidths},
-            {"peers", {{"boost", json_of(machine.boost)}, {"bullet", json_of(machine.bullet)}}}};
-}
-
 }  // namespace
 
 std::string machine_text(const bench::Machine& machine) {
@@ -91,10 +60,40 @@ std::string bench_table_line(const bench::Row& row) {
     return line + "\n";
 }
 
-nlohmann::ordered_json bench_json(const bench::Machine& machine, std::span<const bench::Row> rows) {
-    Json list = Json::array();
-    for (const bench::Row& row : rows) list.push_back(row_json(row));
-    return {{"machine", machine_json(machine)}, {"rows", list}};
+nlohmann::ordered_json label_json(const bench::Label& label) {
+    return {{"case", label.name},
+            {"columns", label.columns},
+            {"rows", label.rows},
+            {"precision", precision_name(label.precision)},
+            {"threads", label.threads}};
+}
+
+nlohmann::ordered_json row_json(const bench::Row& row) {
+    Json json = label_json(row.label);
+    json["ns_per_particle_step"] = json_of(row.ns_per_particle_step);
+    json["ratio_to_textbook"] = json_of(row.ratio_to_textbook);
+    json["gflops"] = json_of(row.gflops);
+    json["fraction_of_peak"] = json_of(row.fraction_of_peak);
+    json["ms_per_frame"] = json_of(row.ms_per_frame);
+    json["sag"] = json_of(row.sag);
+    json["note"] = json_of(row.note);
+    return json;
+}
+
+nlohmann::ordered_json machine_json(const bench::Machine& machine) {
+    Json bandwidths = Json::array();
+    for (const bench::Machine::Bandwidth& bandwidth : machine.bandwidths) {
+        bandwidths.push_back({{"where", bandwidth.where},
+                              {"bytes", bandwidth.bytes},
+                              {"gb_per_s", bandwidth.gb_per_s}});
+    }
+    return {{"processor", machine.processor},
+            {"hardware_threads", machine.threads},
+            {"instruction_set", machine.instruction_set},
+            {"compiler", machine.compiler},
+            {"peak_gflops", {{"single", machine.peak_single}, {"double", machine.peak_double}}},
+            {"update_bandwidth", bandwidths},
+            {"peers", {{"boost", json_of(machine.boost)}, {"bullet", json_of(machine.bullet)}}}};
 }
 
 }  // namespace weft

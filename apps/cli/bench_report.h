@@ -2,7 +2,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 
 #include "bench/suite/suite.h"
@@ -15,7 +14,11 @@ std::string machine_text(const bench::Machine& machine);
 std::string bench_table_head();
 std::string bench_table_line(const bench::Row& row);
 
-/// { "machine": {...}, "rows": [...] }, docs/cli.md. A row has null where a column does not apply.
-nlohmann::ordered_json bench_json(const bench::Machine& machine, std::span<const bench::Row> rows);
+/// What every element of "rows" begins with: "case", "columns", "rows", "precision", "threads".
+nlohmann::ordered_json label_json(const bench::Label& label);
+/// An element of "rows" (docs/cli.md). A row has null where a column does not apply.
+nlohmann::ordered_json row_json(const bench::Row& row);
+/// "machine".
+nlohmann::ordered_json machine_json(const bench::Machine& machine);
 
 }  // namespace weft

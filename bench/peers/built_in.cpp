@@ -5,6 +5,7 @@
 #endif
 #ifdef WEFT_BENCH_BULLET
 #include "bench/peers/bullet.h"
+#include "bench/peers/bullet_deformable.h"
 #endif
 
 namespace weft::bench {
@@ -29,11 +30,13 @@ std::string boost_version_built_in() {
 
 #ifdef WEFT_BENCH_BULLET
 constinit const MakePeer bullet_soft_body = make_bullet;
+constinit const MakePeer bullet_deformable = make_bullet_deformable;
 std::string bullet_version_built_in() {
     return bullet_version();
 }
 #else
 constinit const MakePeer bullet_soft_body = nullptr;
+constinit const MakePeer bullet_deformable = nullptr;
 std::string bullet_version_built_in() {
     return {};
 }

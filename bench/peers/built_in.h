@@ -13,6 +13,7 @@ using MakePeer = std::unique_ptr<SteppedPeer> (*)(const PlainSheet&);
 extern const MakePeer odeint_rk4;
 extern const MakePeer odeint_velocity_verlet;
 extern const MakePeer bullet_soft_body;
+extern const MakePeer bullet_deformable;
 
 /// Versions, e.g. "1.74.0"; empty where not built in.
 std::string boost_version_built_in();

@@ -72,17 +72,18 @@ private:
 };
 
 double sag(const PlainSheet& sheet, const std::vector<Vec3d>& positions) {
-    double lowest = positions.front().y;
-    for (const Vec3d x : positions) lowest = std::min(lowest, x.y);
-    return sheet.rest_position(0, sheet.rows - 1).y - lowest;
+    const int column = sheet.columns / 2, row = sheet.rows - 1;
+    const int middle = row * sheet.columns + column;
+    return sheet.rest_position(column, row).y - positions[static_cast<std::size_t>(middle)].y;
 }
 
 class WeftTwoSeconds final : public Contestant {
 public:
-    explicit WeftTwoSeconds(const PlainSheet& sheet) : sheet_(sheet) {}
+    WeftTwoSeconds(const PlainSheet& sheet, const SceneDescription& scene)
+        : sheet_(sheet), scene_(scene) {}
 
     Measurement measure(double /*least_seconds*/) override {
-        Simulation simulation(sheet_at_60_hertz(sheet_));
+        Simulation simulation(scene_);
         Measurement found;
         found.seconds = seconds_of([&] {
             for (int n = 0; n < two_seconds; ++n) advance(simulation);
@@ -97,6 +98,7 @@ public:
 
 private:
     PlainSheet sheet_;
+    SceneDescription scene_;
 };
 
 class PeerTwoSeconds final : public Contestant {
@@ -139,8 +141,9 @@ std::unique_ptr<Contestant> make_stepping(const SceneDescription& scene, int thr
 std::unique_ptr<Contestant> make_stepping(std::unique_ptr<SteppedPeer> peer) {
     return std::make_unique<PeerStepping>(std::move(peer));
 }
-std::unique_ptr<Contestant> make_two_seconds(const PlainSheet& sheet) {
-    return std::make_unique<WeftTwoSeconds>(sheet);
+std::unique_ptr<Contestant> make_two_seconds(const PlainSheet& sheet,
+                                             const SceneDescription& scene) {
+    return std::make_unique<WeftTwoSeconds>(sheet, scene);
 }
 std::unique_ptr<Contestant> make_two_seconds(
     const PlainSheet& sheet, std::unique_ptr<SteppedPeer> (*make)(const PlainSheet&)) {

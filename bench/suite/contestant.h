@@ -15,7 +15,7 @@ struct Measurement {
     double seconds = 0.0;
     double steps = 0.0;         ///< made in that time; 0: not counted in steps of weft's kind
     double frames = 0.0;        ///< of 1/60 s; 0: not timed by the frame
-    std::optional<double> sag;  ///< how far below the sheet's lowest place at rest it hangs [m]
+    std::optional<double> sag;  ///< of the lower edge's middle below its place at rest [m]
 };
 
 /// Ready to be timed again and again: what is not stepping was done when it was made.
@@ -38,9 +38,10 @@ std::unique_ptr<Contestant> make_stepping(const SceneDescription& scene, int thr
 /// A peer, at sheet_step.
 std::unique_ptr<Contestant> make_stepping(std::unique_ptr<SteppedPeer> peer);
 
-/// Two seconds of the sheet at 60 frames a second from its start, each time anew: by weft, and by
-/// a peer whose step is a frame.
-std::unique_ptr<Contestant> make_two_seconds(const PlainSheet& sheet);
+/// Two seconds of the sheet at 60 frames a second from its start, each time anew: by weft on the
+/// sheet's scene, and by a peer whose step is a frame.
+std::unique_ptr<Contestant> make_two_seconds(const PlainSheet& sheet,
+                                             const SceneDescription& scene);
 std::unique_ptr<Contestant> make_two_seconds(
     const PlainSheet& sheet, std::unique_ptr<SteppedPeer> (*make)(const PlainSheet&));
 

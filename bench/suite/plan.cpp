@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 #include "bench/peers/built_in.h"
 #include "bench/peers/textbook.h"
@@ -36,6 +35,7 @@ public:
         for (const int size : {40, 100, 256, 512, 1024}) {
             if (options_.quick && size > 256) continue;
             for (const IntegratorInfo& info : integrator_catalogue()) {
+                if (info.kind != IntegratorKind::explicit_steps) continue;
                 add_one_thread(size, info);
                 if (size <= 256 || is_principal(info.name)) add_all_threads(size, info);
             }
@@ -44,11 +44,16 @@ public:
         if (!options_.quick) add_one_thread(1000, symplectic);
         add_mesh(256, symplectic);
         add_flag(256);
-        add_frames(40);
-        if (!options_.quick) add_frames(100);
+        for (const int size : {40, 100}) {
+            if (options_.quick && size > 40) continue;
+            add_soft_body(size);
+            add_hanging(size);
+        }
         if (options_.large) {
             for (const int size : {64, 512, 2048, 4096}) add_large(size, symplectic);
         }
+        add_frames();
+        add_motions();
         return std::move(plan_);
     }
 
@@ -173,21 +178,46 @@ private:
         add(std::move(group));
     }
 
+    [[nodiscard]] static Entry two_seconds(std::string name, const PlainSheet& sheet) {
+        Entry entry;
+        entry.label = {std::move(name), sheet.columns, sheet.rows, Precision::f32, 1};
+        return entry;
+    }
+
+    static Entry ours(std::string name, const PlainSheet& sheet, std::string_view method,
+                      std::optional<double> time_step) {
+        Entry entry = two_seconds(std::move(name), sheet);
+        entry.make = [=] {
+            return make_two_seconds(sheet, sheet_at_60_hertz(sheet, method, time_step));
+        };
+        return entry;
+    }
+
+    static Entry bullets(std::string name, const PlainSheet& sheet, MakePeer make) {
+        Entry entry = two_seconds(std::move(name), sheet);
+        if (make != nullptr) entry.make = [=] { return make_two_seconds(sheet, make); };
+        if (make == nullptr) entry.note = "not built in: Bullet not found";
+        return entry;
+    }
+
     // With enough drag to hang still after two seconds, so that the sag is one of rest.
-    void add_frames(int size) {
+    void add_soft_body(int size) {
         const PlainSheet sheet{.columns = size, .rows = size, .drag = 1e-3};
         Group group;
-        Entry ours;
-        ours.label = {"velocity-verlet at 60 Hz", size, size, Precision::f32, 1};
-        ours.make = [=] { return make_two_seconds(sheet); };
-        Entry bullet;
-        bullet.label = {"bullet soft body at 60 Hz", size, size, Precision::f32, 1};
-        if (bullet_soft_body != nullptr) {
-            bullet.make = [=] { return make_two_seconds(sheet, bullet_soft_body); };
-        } else {
-            bullet.note = "not built in: Bullet not found";
+        group.entries.push_back(ours("velocity-verlet at 60 Hz", sheet, "velocity-verlet", {}));
+        group.entries.push_back(bullets("bullet soft body at 60 Hz", sheet, bullet_soft_body));
+        add(std::move(group));
+    }
+
+    void add_hanging(int size) {
+        const PlainSheet sheet = hanging_sheet(size);
+        Group group;
+        group.entries.push_back(ours("hanging auto", sheet, "auto", {}));
+        for (const char* method : {"tr-bdf2", "implicit-euler"}) {
+            group.entries.push_back(
+                ours(fmt::format("hanging {}", method), sheet, method, 1.0 / 60.0));
         }
-        group.entries = {std::move(ours), std::move(bullet)};
+        group.entries.push_back(bullets("hanging bullet-deformable", sheet, bullet_deformable));
         add(std::move(group));
     }
 
@@ -204,18 +234,32 @@ private:
         }
     }
 
-    [[nodiscard]] bool matches(const Entry& entry) const {
-        const std::string text = entry.label.text();
-        std::istringstream words(options_.filter);
-        for (std::string word; words >> word;) {
-            if (text.find(word) == std::string::npos) return false;
+    void add_frames() {
+        for (FrameGroup& group : frame_groups(options_.quick)) {
+            if (options_.repeats) group.repeats = *options_.repeats;
+            for (FrameEntry& entry : group.entries) {
+                entry.shown = entry.label.has_words(options_.filter);
+            }
+            const bool any = std::ranges::any_of(group.entries, &FrameEntry::shown);
+            std::erase_if(group.entries, [](const FrameEntry& entry) {
+                return !entry.shown && entry.label.name != cholesky_frame_name;
+            });
+            if (any) plan_.frames.push_back(std::move(group));
         }
-        return true;
+    }
+
+    void add_motions() {
+        plan_.motion_repeats = options_.repeats.value_or(options_.quick ? 1 : 3);
+        for (MotionEntry& entry : motion_entries()) {
+            if (entry.label.has_words(options_.filter)) plan_.motions.push_back(std::move(entry));
+        }
     }
 
     void add(Group group) {
         const auto is_textbook = [](const Entry& e) { return e.label.name == textbook_name; };
-        for (Entry& entry : group.entries) entry.shown = entry.shown && matches(entry);
+        for (Entry& entry : group.entries) {
+            entry.shown = entry.shown && entry.label.has_words(options_.filter);
+        }
         std::erase_if(group.entries, [&](const Entry& e) { return !e.shown && !is_textbook(e); });
         // The yardstick alone is timed only where it was asked for.
         const auto needs_yardstick = [&](const Entry& e) {
@@ -240,20 +284,15 @@ private:
 
 }  // namespace
 
-std::string Label::text() const {
-    return fmt::format("{} {}x{} {} {} thread{}", name, columns, rows,
-                       precision == Precision::f32 ? "single" : "double", threads,
-                       threads == 1 ? "" : "s");
-}
-
 Plan make_plan(const PlanOptions& options, int threads) {
     Plan plan = Planner(options, threads).plan();
-    if (!plan.groups.empty()) return plan;
+    if (!plan.groups.empty() || !plan.frames.empty() || !plan.motions.empty()) return plan;
     throw Error(ErrorKind::usage, {.key = fmt::format("--filter \"{}\"", options.filter)},
                 "no case has all of these words",
                 "Cases are named like \"rk4 256x256 single 1 thread\", \"textbook 40x40 double 1 "
                 "thread\",\n\"mesh symplectic-euler\", \"flag with wind\", \"odeint\", \"bullet\", "
-                "\"pinned copies\"; --quick has only those\nup to 256x256.");
+                "\"pinned copies\",\n\"implicit frame multigrid\", \"motion tr-bdf2 2\"; --quick "
+                "has only those up to 256x256.");
 }
 
 }  // namespace weft::bench

@@ -1,4 +1,4 @@
-// What `weft bench` times: entries, in groups that are timed in turn.
+// What `weft bench` times: entries, in groups that are timed in turn, and two studies of their own.
 #pragma once
 
 #include <functional>
@@ -9,20 +9,12 @@
 #include <vector>
 
 #include "bench/suite/contestant.h"
+#include "bench/suite/implicit_frame.h"
+#include "bench/suite/label.h"
+#include "bench/suite/motion.h"
 #include "bench/suite/pinned_copies.h"
 
 namespace weft::bench {
-
-/// What tells one row of the table from all others.
-struct Label {
-    std::string name;  ///< "rk4", "textbook", "mesh symplectic-euler"
-    int columns = 0, rows = 0;
-    Precision precision = Precision::f32;
-    int threads = 1;
-
-    /// "rk4 256x256 single 1 thread": what a filter is held against.
-    [[nodiscard]] std::string text() const;
-};
 
 struct Entry {
     Label label;
@@ -43,7 +35,7 @@ struct Group {
 };
 
 struct PlanOptions {
-    bool quick = false;            ///< one repeat, up to 256 x 256
+    bool quick = false;            ///< one repeat, up to 256 x 256 (implicit frames: 97 x 97)
     bool large = false;            ///< 64 x 64 to 4096 x 4096 besides
     std::string filter{};          ///< words that a label's text must all have
     std::optional<int> repeats{};  ///< of every timing
@@ -52,6 +44,9 @@ struct PlanOptions {
 
 struct Plan {
     std::vector<Group> groups;
+    std::vector<FrameGroup> frames;    ///< implicit_frame.h
+    std::vector<MotionEntry> motions;  ///< motion.h
+    int motion_repeats = 3;
     /// For rows of copies; not started. Lives as long as the entries.
     std::shared_ptr<PinnedCopies> copies = std::make_shared<PinnedCopies>();
     bool needs_copies = false;

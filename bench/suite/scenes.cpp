@@ -48,11 +48,23 @@ SceneDescription sheet_scene(const PlainSheet& sheet, const Stepping& stepping) 
     return scene;
 }
 
-SceneDescription sheet_at_60_hertz(const PlainSheet& sheet) {
-    SceneDescription scene = sheet_scene(sheet, {.method = "velocity-verlet"});
-    scene.integrator.time_step.reset();
+SceneDescription sheet_at_60_hertz(const PlainSheet& sheet, std::string_view method,
+                                   std::optional<double> time_step) {
+    SceneDescription scene = sheet_scene(sheet, {.method = method});
+    scene.integrator.time_step = time_step;
     scene.output.frames_per_second = 60.0;
     return scene;
+}
+
+PlainSheet hanging_sheet(int size) {
+    constexpr double drag_rate = 10.0;  // [1/s]
+    PlainSheet sheet{.columns = size, .rows = size};
+    sheet.cell = 1.0 / (size - 1);
+    sheet.mass = 0.2 / (static_cast<double>(size) * size);
+    sheet.structural = sheet.shear = {1000.0, 0.0};
+    sheet.bend = {1.0, 0.0};
+    sheet.drag = drag_rate * sheet.mass;
+    return sheet;
 }
 
 SceneDescription mesh_scene(const PlainSheet& sheet, const Stepping& stepping, std::uint64_t seed) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "bench/peers/plain_sheet.h"
@@ -23,8 +24,15 @@ inline constexpr double sheet_step = 5e-5;
 /// The sheet as a grid, particle for particle.
 SceneDescription sheet_scene(const PlainSheet& sheet, const Stepping& stepping);
 
-/// The sheet at weft's own step for 60 frames a second, for comparing time and motion by the frame.
-SceneDescription sheet_at_60_hertz(const PlainSheet& sheet);
+/// The sheet at 60 frames a second, for comparing time and motion by the frame.
+/// @param time_step [s]; none: weft's own for the method.
+SceneDescription sheet_at_60_hertz(const PlainSheet& sheet, std::string_view method,
+                                   std::optional<double> time_step = {});
+
+/// A sheet of 1 m x 1 m and 0.2 kg that others can make as well: structural and shear springs of
+/// 1000 N/m each at every resolution, bend springs of a thousandth, no dashpots; with enough drag
+/// to hang still after two seconds.
+PlainSheet hanging_sheet(int size);
 
 /// The same sheet as a mesh of quads whose vertices and faces stand in random order.
 SceneDescription mesh_scene(const PlainSheet& sheet, const Stepping& stepping,

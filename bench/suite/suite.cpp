@@ -8,6 +8,7 @@
 #include "bench/peers/built_in.h"
 #include "bench/peers/machine.h"
 #include "bench/peers/textbook.h"
+#include "bench/suite/median.h"
 #include "weft/error.h"
 #include "weft/instruction_set.h"
 
@@ -24,12 +25,6 @@ std::string processor_name() {
         }
     }
     return "unknown";
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
 // An entry while its group is timed.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "math/limited_memory.h"
+
 namespace weft {
 
 namespace {
@@ -13,9 +15,7 @@ constexpr double least_forcing = 1e-8;   // inner solves are in float: tighter i
 constexpr double single_forcing = 1e-4;  // where there is no second solve to mend the first
 constexpr double overshoot = 0.5;        // of the slope, that a step may end with
 constexpr int max_shortenings = 30;
-constexpr int patience = 10;  // iterations without a smaller force, until steps are halved
-constexpr double least_damping = 1.0 / 64.0;
-constexpr std::size_t remembered_pairs = 5;  // as in Liu, Bouaziz, Kavan (2017)
+constexpr std::size_t remembered_changes = 12;  // ten failed on a flag in long steps
 
 // to = from + fraction by
 void move(ConstVec3View<double> from, double fraction, ConstVec3View<double> by,
@@ -56,8 +56,8 @@ double longest(const Vec3Array<double>& d) {
 }  // namespace
 
 void NewtonSolver::prepare(std::size_t slots) {
-    b_ = b_before_ = r_ = d_ = start_ = Vec3Array<double>(slots);
-    memory_ = LimitedMemory(slots, remembered_pairs);
+    b_ = d_ = plain_ = start_ = Vec3Array<double>(slots);
+    mixing_ = AndersonMixing(slots, remembered_changes);
 }
 
 void NewtonSolver::evaluate(ImplicitSystem& system, const ImplicitStage& stage, Vec3View<double> x,
@@ -81,10 +81,7 @@ void NewtonSolver::evaluate(ImplicitSystem& system, const ImplicitStage& stage, 
 }
 
 double NewtonSolver::find_direction(ImplicitSystem& system, double forcing) {
-    r_ = b_;
-    memory_.before(r_);
-    const LinearReport linear = system.solve(std::as_const(r_).view(), forcing, d_.view());
-    memory_.after(d_);
+    const LinearReport linear = system.solve(std::as_const(b_).view(), forcing, d_.view());
     report_.linear_iterations += linear.iterations;
     report_.linear_converged = linear.converged;
     report_.linear_residual = linear.residual;
@@ -94,8 +91,7 @@ double NewtonSolver::find_direction(ImplicitSystem& system, double forcing) {
 double NewtonSolver::move_along(ImplicitSystem& system, const ImplicitStage& stage, double slope,
                                 Vec3Array<double>& x, Vec3Array<double>& v) {
     start_ = x;
-    b_before_ = b_;
-    double fraction = damping_;
+    double fraction = 1.0;
     for (int n = 0; n < max_shortenings; ++n) {
         move(start_.view(), fraction, std::as_const(d_).view(), x.view());
         evaluate(system, stage, x.view(), v.view());
@@ -113,19 +109,17 @@ bool NewtonSolver::iterate(ImplicitSystem& system, const ImplicitStage& stage, d
     ++report_.iterations;
     system.linearise(stage.t, 1.0 / stage.tau, std::as_const(x).view(), std::as_const(v).view());
     double slope = find_direction(system, forcing);
-    if (!(slope > 0.0)) {
-        memory_.clear();  // what was remembered misleads here
-        slope = find_direction(system, forcing);
+    plain_ = d_;
+    mixing_.mix(x, d_);
+    if (const double mixed = dot(b_, d_); mixed > 0.0) {
+        slope = mixed;
+    } else {
+        d_ = plain_;  // what was remembered misleads here
+        mixing_.clear();
     }
     if (!(slope > 0.0) || !std::isfinite(slope)) return false;
     const double fraction = move_along(system, stage, slope, x, v);
     report_.displacement = fraction * longest(d_);
-    // b is minus the gradient of what is minimised, so the change of gradient is b_before - b.
-    if (fraction == 1.0) {
-        memory_.add(x, start_, b_before_, b_);
-    } else {
-        memory_.clear();  // too strongly curved here for what was learnt
-    }
     return fraction > 0.0;
 }
 
@@ -133,11 +127,9 @@ NewtonReport NewtonSolver::solve(ImplicitSystem& system, const ImplicitStage& st
                                  const NewtonLimits& limits, Vec3Array<double>& x,
                                  Vec3Array<double>& v) {
     report_ = {};
-    memory_.clear();
-    damping_ = 1.0;
+    mixing_.clear();
     evaluate(system, stage, x.view(), v.view());
-    double squared = dot(b_, b_), before = 0.0, best = squared;
-    int since_best = 0;
+    double squared = dot(b_, b_), before = 0.0;
     report_.residual = longest(b_);
     report_.converged = report_.residual <= limits.force;
     while (!report_.converged && report_.iterations < limits.max_iterations &&
@@ -147,12 +139,6 @@ NewtonReport NewtonSolver::solve(ImplicitSystem& system, const ImplicitStage& st
         if (!iterate(system, stage, forcing, x, v)) break;
         before = squared;
         squared = dot(b_, b_);
-        since_best = squared < best ? 0 : since_best + 1;
-        best = std::min(best, squared);
-        if (since_best == patience) {
-            damping_ = std::max(damping_ / 2.0, least_damping);
-            since_best = 0;
-        }
         report_.residual = longest(b_);
         report_.converged =
             report_.displacement <= limits.tolerance || report_.residual <= limits.force;
@@ -163,7 +149,7 @@ NewtonReport NewtonSolver::solve(ImplicitSystem& system, const ImplicitStage& st
 NewtonReport NewtonSolver::solve_once(ImplicitSystem& system, const ImplicitStage& stage,
                                       Vec3Array<double>& x, Vec3Array<double>& v) {
     report_ = {};
-    memory_.clear();
+    mixing_.clear();
     evaluate(system, stage, x.view(), v.view());
     ++report_.iterations;
     system.linearise(stage.t, 1.0 / stage.tau, std::as_const(x).view(), std::as_const(v).view());

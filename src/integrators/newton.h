@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "integrators/dynamics_system.h"
-#include "math/limited_memory.h"
+#include "math/anderson_mixing.h"
 #include "math/vec3_array.h"
 
 namespace weft {
@@ -42,14 +42,10 @@ struct NewtonReport {
 /// -b.d is the derivative of what a conservative system minimises; dashpots and air, which have no
 /// energy, need no other treatment.
 ///
-/// The matrix leaves the negative part of compressed springs out, so that where cloth buckles
-/// Newton alone would creep. The last five steps and changes of b correct it: L-BFGS with Newton's
-/// matrix as the first guess of the Hessian, as Liu, Bouaziz, Kavan (2017) have it with a constant
-/// one.
-///
-/// Where the force has not become smaller for ten iterations, steps are halved: the air's force
-/// turns with the cloth, which the matrix does not know, and in strong wind and long steps whole
-/// steps would go round in circles.
+/// The matrix leaves out the negative part of compressed springs, and that the air's force turns
+/// with the cloth: where cloth buckles Newton alone creeps, in strong wind it goes round in
+/// circles. Anderson's mixing of the last iterations (math/anderson_mixing.h), whose directions
+/// need not come from a gradient, mends both.
 class NewtonSolver {
 public:
     /// Sizes the work arrays.
@@ -78,9 +74,8 @@ private:
     bool iterate(ImplicitSystem& system, const ImplicitStage& stage, double forcing,
                  Vec3Array<double>& x, Vec3Array<double>& v);
 
-    Vec3Array<double> b_, b_before_, r_, d_, start_;
-    LimitedMemory memory_;
-    double damping_ = 1.0;  // the first fraction of d that is tried
+    Vec3Array<double> b_, d_, plain_, start_;
+    AndersonMixing mixing_;
     NewtonReport report_;
 };
 

@@ -93,11 +93,11 @@ const std::vector<Contender> contenders{
     {"rk4", frame / 100, {}, 1e-8},
     {"dopri5", frame, 1e-10, 1e-9},
     {"bosh3", frame, 1e-10, 5e-8},
-    {"implicit-midpoint", frame / 800, 1e-11, 1e-6},
-    {"trapezoidal", frame / 800, 1e-11, 1e-6},
+    {"implicit-midpoint", frame / 600, 1e-11, 1e-6},
+    {"trapezoidal", frame / 600, 1e-11, 1e-6},
     {"bdf2", frame / 1600, 1e-11, 1e-6},
-    {"tr-bdf2", frame / 800, 1e-11, 1e-6},
-    {"sdirk2", frame / 800, 1e-11, 1e-6},
+    {"tr-bdf2", frame / 600, 1e-11, 1e-6},
+    {"sdirk2", frame / 600, 1e-11, 1e-6},
 };
 
 class Sundials : public ::testing::Test {
