@@ -17,10 +17,14 @@ using Json = nlohmann::ordered_json;
 
 std::string_view kind_name(IntegratorKind kind) {
     switch (kind) {
-        case IntegratorKind::explicit_steps: return "explicit";
-        case IntegratorKind::adaptive: return "adaptive";
-        case IntegratorKind::implicit: return "implicit";
-        case IntegratorKind::by_springs: break;
+        case IntegratorKind::explicit_steps:
+            return "explicit";
+        case IntegratorKind::adaptive:
+            return "adaptive";
+        case IntegratorKind::implicit:
+            return "implicit";
+        case IntegratorKind::by_springs:
+            break;
     }
     return "by springs";
 }
@@ -37,22 +41,21 @@ void list_integrators(bool json) {
                    "evals", "symplectic", "limit", "auto", "update");
     }
     for (const IntegratorInfo& info : integrator_catalogue()) {
-        rows.push_back({{"name", info.name},
-                        {"order", info.order},
-                        {"damped_order", info.damped_order},
-                        {"evaluations", info.evaluations},
-                        {"symplectic", info.symplectic},
-                        {"imaginary_limit", std::isinf(info.imaginary_limit)
-                                                ? Json("any")
-                                                : Json(info.imaginary_limit)},
-                        {"kind", kind_name(info.kind)},
-                        {"auto_step", info.auto_step > 0.0 ? Json(info.auto_step) : Json(nullptr)},
-                        {"formula", info.formula},
-                        {"reference", info.reference}});
+        rows.push_back(
+            {{"name", info.name},
+             {"order", info.order},
+             {"damped_order", info.damped_order},
+             {"evaluations", info.evaluations},
+             {"symplectic", info.symplectic},
+             {"imaginary_limit",
+              std::isinf(info.imaginary_limit) ? Json("any") : Json(info.imaginary_limit)},
+             {"kind", kind_name(info.kind)},
+             {"auto_step", info.auto_step > 0.0 ? Json(info.auto_step) : Json(nullptr)},
+             {"formula", info.formula},
+             {"reference", info.reference}});
         if (json) continue;
-        const std::string limit = std::isinf(info.imaginary_limit)
-                                      ? "any"
-                                      : fmt::format("{:.4g}", info.imaginary_limit);
+        const std::string limit =
+            std::isinf(info.imaginary_limit) ? "any" : fmt::format("{:.4g}", info.imaginary_limit);
         fmt::print("{:<22} {:>5} {:>6} {:>5} {:>10} {:>8} {:>8}  {}\n", info.name, info.order,
                    info.damped_order,
                    info.evaluations > 0 ? fmt::format("{}", info.evaluations) : "-",
@@ -65,8 +68,10 @@ void list_integrators(bool json) {
         fmt::print(
             "order: of the global error; damped: the same where forces depend on velocity;\n"
             "evals: force evaluations a step, -: as many as it takes; limit: stable up to dt * "
-            "omega, undamped;\nauto: the step [s] that time_step = \"auto\" takes, by stability, by "
-            "error, or for accuracy.\nmethod = \"auto\" takes velocity-verlet, or tr-bdf2 where that "
+            "omega, undamped;\nauto: the step [s] that time_step = \"auto\" takes, by stability, "
+            "by "
+            "error, or for accuracy.\nmethod = \"auto\" takes velocity-verlet, or tr-bdf2 where "
+            "that "
             "costs less.\n");
     }
 }

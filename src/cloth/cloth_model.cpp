@@ -1,7 +1,7 @@
 #include "cloth/cloth_model.h"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <numeric>
 

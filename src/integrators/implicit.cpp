@@ -152,7 +152,7 @@ void DiagonallyImplicit<Real>::prepare(DynamicsSystem<Real>& system) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(table_.stages); ++i) {
         velocities_[i] = accelerations_[i] = Vec3Array<double>(slots);
     }
-    system.implicit_system();  // made here rather than in the first step
+    (void)system.implicit_system();  // made here rather than in the first step
 }
 
 template <typename Real>
