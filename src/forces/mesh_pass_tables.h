@@ -1,42 +1,15 @@
 // The tables that a mesh's pass reads, built once from the cloth.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <new>
 #include <vector>
 
 #include "cloth/cloth_model.h"
 #include "forces/mesh_pass.h"
+#include "math/line_aligned.h"
 
 namespace weft {
-
-/// [size] numbers, zero at first, aligned to cache lines.
-template <typename T>
-class LineAligned {
-public:
-    LineAligned() = default;
-    explicit LineAligned(std::size_t size)
-        : size_(size), data_(static_cast<T*>(::operator new[](size * sizeof(T), alignment))) {
-        std::fill_n(data_.get(), size, T{0});
-    }
-
-    [[nodiscard]] std::size_t size() const { return size_; }
-    [[nodiscard]] T* data() { return data_.get(); }
-    [[nodiscard]] const T* data() const { return data_.get(); }
-    T& operator[](std::size_t i) { return data_[i]; }
-
-private:
-    static constexpr std::align_val_t alignment{64};
-    struct Free {
-        void operator()(T* data) const { ::operator delete[](data, alignment); }
-    };
-
-    std::size_t size_ = 0;
-    std::unique_ptr<T[], Free> data_;
-};
 
 /// Lists of what every slot has, as vectors: the n-th of each lane's list stands in the list's n-th
 /// vector, lists are as long as the longest of their slice.
