@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "math/limited_memory.h"
+#include "math/dot_product.h"
 
 namespace weft {
 

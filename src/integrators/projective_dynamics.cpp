@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "integrators/array_loop.h"
+#include "math/dot_product.h"
 #include "math/parallel.h"
 
 namespace weft {

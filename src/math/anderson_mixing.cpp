@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/limited_memory.h"
+#include "math/dot_product.h"
 
 namespace weft {
 

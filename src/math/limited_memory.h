@@ -8,9 +8,6 @@
 
 namespace weft {
 
-/// sum over slots a.b, in blocks of fixed places: the same bits for any number of threads.
-double dot(const Vec3Array<double>& a, const Vec3Array<double>& b);
-
 /// The last pairs of steps s and changes of gradient y, in the two loops of Nocedal and Wright,
 /// Numerical Optimization, algorithm 7.4: H r is
 ///     before(r);  r = H0 r, by the caller;  after(r).

@@ -86,8 +86,9 @@ private:
     [[nodiscard]] bool follows_stability() const {
         return is_auto() && find_integrator(method_.method)->kind == IntegratorKind::explicit_steps;
     }
-    [[nodiscard]] std::optional<double> tolerance_of(const std::string& method) const;
-    [[nodiscard]] std::size_t steps_of(const std::string& method) const;
+    [[nodiscard]] std::size_t steps_of(const std::string& method) const {
+        return steps_a_frame(scene_, method, modes_);
+    }
     void keep_stable();
     std::optional<StepFailure> run_steps(std::size_t count, std::size_t steps_per_frame);
     Divergence describe_failure(const StepFailure& failure) const;
@@ -164,8 +165,8 @@ void ClothEngine<Real>::change_integrator() {
     system_.forget_implicit_system();
     const IntegratorDescription& chosen = scene_.integrator;
     integrator_ = make_integrator<Real>(
-        method_.method, {options_.instruction_set, tolerance_of(method_.method), chosen.iterations,
-                         chosen.time_step});
+        method_.method, {options_.instruction_set, solver_tolerance(scene_, cloth_, method_.method),
+                         chosen.iterations, chosen.time_step});
     integrator_->prepare(system_);
     if (follows_stability() && !analysis_) {
         analysis_.emplace(cloth_, scene_.forces, options_.instruction_set, options_.threads);
@@ -175,28 +176,6 @@ void ClothEngine<Real>::change_integrator() {
     }
     power_known_ = false;
     save();
-}
-
-template <typename Real>
-std::optional<double> ClothEngine<Real>::tolerance_of(const std::string& method) const {
-    constexpr double of_diagonal = 5e-5;
-    if (scene_.integrator.tolerance) return scene_.integrator.tolerance;
-    if (find_integrator(method)->kind == IntegratorKind::adaptive) return std::nullopt;
-    return of_diagonal * cloth_.rest_diagonal();
-}
-
-template <typename Real>
-std::size_t ClothEngine<Real>::steps_of(const std::string& method) const {
-    if (find_integrator(method)->kind == IntegratorKind::adaptive) return 1;
-    if (!is_auto()) return steps_in_frame(frame_length(), *scene_.integrator.time_step);
-    const std::size_t steps = automatic_steps(scene_, method, modes_);
-    if (steps == 0) {
-        throw scene_error("integrator.time_step", "\"auto\"",
-                          fmt::format("{} is stable at no step on this undamped cloth: give a step "
-                                      "in seconds, damping, or another method",
-                                      method));
-    }
-    return steps;
 }
 
 template <typename Real>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "weft/error.h"
 #include "weft/integrators.h"
 
 namespace weft {
@@ -40,6 +41,30 @@ std::size_t automatic_steps(const SceneDescription& scene, std::string_view meth
     }
     const double limit = modes.stable_step(method);
     return limit > 0.0 ? steps_in_frame(frame_length, auto_fraction * limit) : 0;
+}
+
+std::size_t steps_a_frame(const SceneDescription& scene, std::string_view method,
+                          const StabilityModes& modes) {
+    if (find_integrator(method)->kind == IntegratorKind::adaptive) return 1;
+    if (scene.integrator.time_step) {
+        return steps_in_frame(1.0 / scene.output.frames_per_second, *scene.integrator.time_step);
+    }
+    const std::size_t steps = automatic_steps(scene, method, modes);
+    if (steps == 0) {
+        throw scene_error("integrator.time_step", "\"auto\"",
+                          fmt::format("{} is stable at no step on this undamped cloth: give a step "
+                                      "in seconds, damping, or another method",
+                                      method));
+    }
+    return steps;
+}
+
+std::optional<double> solver_tolerance(const SceneDescription& scene, const ClothModel& cloth,
+                                       std::string_view method) {
+    constexpr double of_diagonal = 5e-5;
+    if (scene.integrator.tolerance) return scene.integrator.tolerance;
+    if (find_integrator(method)->kind == IntegratorKind::adaptive) return std::nullopt;
+    return of_diagonal * cloth.rest_diagonal();
 }
 
 MethodChoice choose_method(const SceneDescription& scene, const ClothModel& cloth,

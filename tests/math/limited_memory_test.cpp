@@ -1,5 +1,6 @@
 // Limited-memory BFGS against the dense update it stands for.
 #include "math/limited_memory.h"
+#include "math/dot_product.h"
 
 #include <gtest/gtest.h>
 
