@@ -127,7 +127,8 @@ LinearReport IteratedNewtonMatrix::solve(ConstVec3View<double> r, double toleran
 // Sparse factorisation in double.
 class CholeskyNewtonMatrix final : public NewtonMatrixSolver {
 public:
-    CholeskyNewtonMatrix(AssembledSprings springs, const SpringNetwork& network)
+    CholeskyNewtonMatrix(AssembledSprings springs, const SpringNetwork& network,
+                         BlockCholesky::Modules modules)
         : springs_(std::move(springs)), left_(springs_.graph().rows()) {
         const RowGraph& graph = springs_.graph();
         for (std::size_t s = 0; s < graph.rows(); ++s) {
@@ -142,7 +143,7 @@ public:
                 couplings.push_back({row_of_[s.p], row_of_[s.q]});
             }
         }
-        factorisation_ = std::make_unique<BlockCholesky>(slots_.size(), couplings);
+        factorisation_ = std::make_unique<BlockCholesky>(slots_.size(), couplings, modules);
         right_.resize(3 * slots_.size());
         solution_.resize(3 * slots_.size());
     }
@@ -226,9 +227,10 @@ LinearReport CholeskyNewtonMatrix::solve(ConstVec3View<double> r, double toleran
 std::unique_ptr<NewtonMatrixSolver> make_assembled_solver(const ClothModel& cloth,
                                                           std::string_view name, InstructionSet set,
                                                           int /*threads*/) {
-    if (name == "cholesky") {
-        return std::make_unique<CholeskyNewtonMatrix>(springs_of(cloth, set),
-                                                      spring_network(cloth));
+    if (name == "cholesky" || name == "simplicial cholesky") {
+        return std::make_unique<CholeskyNewtonMatrix>(
+            springs_of(cloth, set), spring_network(cloth),
+            name == "cholesky" ? BlockCholesky::Modules::all : BlockCholesky::Modules::simplicial);
     }
     IteratedNewtonMatrix::MakePreconditioner make;
     if (name == "jacobi") {

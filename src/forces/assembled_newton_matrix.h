@@ -13,11 +13,13 @@ namespace weft {
 
 /// Solvers by name:
 ///   "cholesky"     sparse factorisation in double; norms are Euclidean
+///   "simplicial cholesky"  the same without CHOLMOD's supernodal module; its name() is "cholesky"
 ///   "jacobi"       conjugate gradients, preconditioned by the diagonal blocks
 ///   "aggregation"  the same, by smoothed aggregation multigrid
-/// The last two iterate in float. Below a tolerance of 3e-2, or after more than 100 iterations, the
-/// residual is taken in double, straight from the springs, and solved for again until it is small
-/// enough; else the iteration's own estimate stands. They reach 1e-9 of any but the worst matrices.
+/// "jacobi" and "aggregation" iterate in float. Below a tolerance of 3e-2, or after more than 100
+/// iterations, the residual is taken in double, straight from the springs, and solved for again
+/// until it is small enough; else the iteration's own estimate stands. They reach 1e-9 of any but
+/// the worst matrices.
 /// @param threads not needed: loops run on the threads of whoever calls, with the same results.
 /// @return nullptr for other names.
 std::unique_ptr<NewtonMatrixSolver> make_assembled_solver(const ClothModel& cloth,

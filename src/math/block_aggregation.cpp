@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <utility>
 
 #include "math/block_galerkin.h"
 #include "math/random.h"
@@ -16,6 +17,11 @@ namespace {
 constexpr double least_strength = 0.04;
 constexpr std::size_t most_dense_rows = 40;
 constexpr std::size_t most_levels = 20;
+
+// What is left of the error by the hierarchy below the first coarse level grows with its depth, and
+// costs little to mend: nine rows of the finest stand for one. So coarse levels have two sweeps on
+// either side and two visits of the next (a W-cycle), the finest one.
+constexpr int coarse_sweeps = 2;
 
 // P and its transpose as passes read them.
 struct Transfer {
@@ -49,6 +55,12 @@ struct BlockAggregation::Level {
     BlockMatrix* matrix = nullptr;
     double weight = 2.0 / 3.0;  // of a sweep
     BlockVector x, y, r, b;
+
+    // x becomes what a sweep makes of it.
+    void sweep(const BlockVector& right) {
+        kernel.smooth(*matrix, weight, x, right, y);
+        std::swap(x, y);
+    }
 
     // To the next level; not of the last.
     std::unique_ptr<BlockGalerkin> galerkin;
@@ -185,23 +197,42 @@ void BlockAggregation::set_weight(Level& level) {
     level.weight = largest > 0.0 ? 4.0 / 3.0 / largest : 2.0 / 3.0;
 }
 
-double BlockAggregation::cycle(std::size_t number, const BlockVector& b, BlockVector& x) {
+double BlockAggregation::solve_last(const BlockVector& b, BlockVector& x) {
+    if (coarsest_) return coarsest_->solve(b, x);
+    Level& level = *levels_.back();
+    level.kernel.precondition(*level.matrix, level.weight, b, level.x);
+    return level.kernel.smooth(*level.matrix, level.weight, level.x, b, x);
+}
+
+// x += P C P^T (b - A x), with C the next level's cycle.
+void BlockAggregation::correct(std::size_t number, const BlockVector& b) {
     Level& level = *levels_[number];
-    const BlockMatrix& a = *level.matrix;
-    BlockKernel& kernel = level.kernel;
-    if (number + 1 == levels_.size()) {
-        if (coarsest_) return coarsest_->solve(b, x);
-        kernel.precondition(a, level.weight, b, level.y);
-        return kernel.smooth(a, level.weight, level.y, b, x);
-    }
     Level& coarse = *levels_[number + 1];
-    kernel.precondition(a, level.weight, b, level.x);
-    kernel.residual(a, level.x, b, level.r);
+    level.kernel.residual(*level.matrix, level.x, b, level.r);
     coarse.kernel.transfer(level.restrict_.pattern, level.restrict_.weights, level.r, nullptr,
                            coarse.b);
-    cycle(number + 1, coarse.b, coarse.x);
-    kernel.transfer(level.prolong.pattern, level.prolong.weights, coarse.x, &level.x, level.y);
-    return kernel.smooth(a, level.weight, level.y, b, x);
+    BlockVector& solution = coarse.r;  // free again where that cycle ends
+    cycle(number + 1, coarse.b, solution);
+    level.kernel.transfer(level.prolong.pattern, level.prolong.weights, solution, &level.x,
+                          level.y);
+    std::swap(level.x, level.y);
+}
+
+// Read from its end it is the same, and each part is symmetric: so is the whole, as conjugate
+// gradients need it.
+double BlockAggregation::cycle(std::size_t number, const BlockVector& b, BlockVector& x) {
+    if (number + 1 == levels_.size()) return solve_last(b, x);
+    Level& level = *levels_[number];
+    const int sweeps = number == 0 ? 1 : coarse_sweeps;
+    level.kernel.precondition(*level.matrix, level.weight, b, level.x);
+    for (int n = 1; n < sweeps; ++n) level.sweep(b);
+    correct(number, b);
+    if (number > 0 && number + 2 < levels_.size()) {  // once where the next is the last
+        level.sweep(b);
+        correct(number, b);
+    }
+    for (int n = 1; n < sweeps; ++n) level.sweep(b);
+    return level.kernel.smooth(*level.matrix, level.weight, level.x, b, x);
 }
 
 double BlockAggregation::apply(const BlockVector& r, BlockVector& z) {

@@ -1,7 +1,8 @@
 // Smoothed aggregation multigrid (Vanek, Mandel and Brezina, Computing 56, 1996) as a
-// preconditioner: a V-cycle with block Jacobi sweeps, Galerkin's coarse matrices, and a dense
-// factorisation of the last. The prolongations are made once, of weights that do not change, and
-// are the same for all three components: an update costs sums of blocks alone.
+// preconditioner: one visit of the first coarse level, W-cycles from there, with block Jacobi
+// sweeps, Galerkin's coarse matrices, and a dense factorisation of the last. The prolongations are
+// made once, of weights that do not change, and are the same for all three components: an update
+// costs sums of blocks alone.
 #pragma once
 
 #include <memory>
@@ -31,7 +32,10 @@ private:
     struct Level;
     struct Coarsest;
 
-    double cycle(std::size_t level, const BlockVector& b, BlockVector& x);
+    // Each returns b.x.
+    double cycle(std::size_t number, const BlockVector& b, BlockVector& x);
+    double solve_last(const BlockVector& b, BlockVector& x);
+    void correct(std::size_t number, const BlockVector& b);
     void set_weight(Level& level);
 
     std::vector<std::unique_ptr<Level>> levels_;

@@ -118,8 +118,9 @@ void BlockCholesky::Impl::analyse() {
     if (factor == nullptr || b == nullptr) throw std::bad_alloc();
 }
 
-BlockCholesky::BlockCholesky(std::size_t rows, std::span<const Coupling> couplings)
+BlockCholesky::BlockCholesky(std::size_t rows, std::span<const Coupling> couplings, Modules modules)
     : impl_(std::make_unique<Impl>()) {
+    if (modules == Modules::simplicial) impl_->common.supernodal = CHOLMOD_SIMPLICIAL;
     impl_->couplings.assign(couplings.begin(), couplings.end());
     impl_->set_structure(rows);
     impl_->analyse();

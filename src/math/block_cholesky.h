@@ -2,8 +2,8 @@
 // Davis, Hager and Rajamanickam, ACM TOMS 35, 2008): the order of elimination and the factor's
 // structure are found once, values whenever they are new.
 //
-// CHOLMOD's supernodal module is under the GPL, weft under the MIT licence: this class is used only
-// where somebody asks for it by name, never by default.
+// CHOLMOD's supernodal module is under the GPL, weft under the MIT licence: it is used only where
+// somebody asks for it by name, never by default.
 #pragma once
 
 #include <memory>
@@ -15,8 +15,15 @@ namespace weft {
 
 class BlockCholesky {
 public:
+    /// Which of CHOLMOD's modules may factor.
+    enum class Modules {
+        all,         ///< the one that it expects to be faster; the supernodal is under the GPL
+        simplicial,  ///< under the LGPL; slower on large matrices
+    };
+
     /// @param couplings between different rows, each pair once; a pair that repeats adds up.
-    BlockCholesky(std::size_t rows, std::span<const Coupling> couplings);
+    BlockCholesky(std::size_t rows, std::span<const Coupling> couplings,
+                  Modules modules = Modules::all);
     ~BlockCholesky();
     BlockCholesky(const BlockCholesky&) = delete;
     BlockCholesky& operator=(const BlockCholesky&) = delete;

@@ -3,20 +3,16 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "math/parallel.h"
 
 namespace weft {
 
-// Of a source to the coarse block (row, column).
-struct BlockGalerkin::Contribution {
-    std::uint32_t row = 0, column = 0, source = 0;
-    double weight = 0.0;
-};
-
 namespace {
 
-constexpr double negligible = 1e-9;  // beside weights of a prolongation, which are about 1
+constexpr double negligible = 1e-9;       // beside weights of a prolongation, which are about 1
+constexpr std::size_t chunk_rows = 4096;  // of whose coarse blocks a core's cache holds the sums
 
 struct Weight {
     std::uint32_t column = 0;
@@ -47,84 +43,136 @@ void read_block(const float* from, BlockForm form, float* record) {
     record[3] = a + y * y, record[4] = y * z, record[5] = a + z * z;
 }
 
+const float* block_at(const float* blocks, std::size_t place, std::size_t size) {
+    return blocks + place / block_lanes * size * block_lanes + place % block_lanes;
+}
+
 }  // namespace
+
+// What the sources add, chunk by chunk, while it is found.
+class BlockGalerkin::Builder {
+public:
+    Builder(BlockGalerkin& galerkin, const RowGraph& graph, const Prolongation& p)
+        : g_(galerkin), graph_(graph), p_(p), known_(p.coarse_rows) {}
+
+    void build(std::span<const std::uint32_t> places);
+    // [target] the fine edges' weights times theirs.
+    [[nodiscard]] std::span<const double> weights() const { return weights_; }
+
+private:
+    struct Known {
+        std::uint32_t column = 0, target = 0;
+    };
+
+    void begin_chunk() {
+        g_.chunks_.push_back(
+            {g_.sources_.size(), g_.sources_.size(), g_.terms_.size(), sum_targets_.size()});
+    }
+    void add_source(std::uint32_t place, double edge_weight);
+    void add_term(std::uint32_t row, std::uint32_t column, double weight, double edge_weight);
+    std::uint32_t target_of(std::uint32_t row, std::uint32_t column);
+    void set_parts();
+
+    BlockGalerkin& g_;
+    const RowGraph& graph_;
+    const Prolongation& p_;
+    std::vector<Weight> row_;                 // of the source at hand
+    std::vector<std::vector<Known>> known_;   // [coarse row]
+    std::vector<double> weights_;             // [target]
+    std::vector<std::uint32_t> last_sums_;    // [target], its latest sum
+    std::vector<std::uint32_t> sum_targets_;  // [sum]
+};
+
+std::uint32_t BlockGalerkin::Builder::target_of(std::uint32_t row, std::uint32_t column) {
+    for (const Known& k : known_[row]) {
+        if (k.column == column) return k.target;
+    }
+    const auto target = static_cast<std::uint32_t>(g_.targets_.size());
+    known_[row].push_back({column, target});
+    g_.targets_.push_back({row, column, 0, 0});
+    weights_.push_back(0.0);
+    last_sums_.push_back(0);
+    return target;
+}
+
+void BlockGalerkin::Builder::add_term(std::uint32_t row, std::uint32_t column, double weight,
+                                      double edge_weight) {
+    if (std::abs(weight) <= negligible) return;
+    const std::uint32_t target = target_of(row, column);
+    weights_[target] += weight * edge_weight;
+    std::uint32_t& sum = last_sums_[target];
+    if (sum < g_.chunks_.back().sums || sum >= sum_targets_.size() || sum_targets_[sum] != target) {
+        sum = static_cast<std::uint32_t>(sum_targets_.size());
+        sum_targets_.push_back(target);
+    }
+    g_.terms_.push_back({sum, static_cast<float>(weight)});
+    ++g_.sources_.back().terms;
+}
 
 // With w the difference of the two rows' weights, an edge's K adds w_I w_J K to the coarse matrix's
 // block (I, J); a row's B does so with w the row's weights. The coarse K_IJ is minus that block,
 // and the coarse B_I the sum of row I's.
-std::vector<BlockGalerkin::Contribution> BlockGalerkin::contributions(const RowGraph& graph,
-                                                                      const Prolongation& p) const {
-    std::vector<Contribution> result;
-    std::vector<Weight> weights;
-    const auto add_all = [&](std::uint32_t source) {
-        double sum = 0.0;
-        for (const Weight& w : weights) sum += w.value;
-        for (const Weight& i : weights) {
-            if (std::abs(i.value * sum) > negligible) {
-                result.push_back({i.column, i.column, source, i.value * sum});
-            }
-            for (const Weight& j : weights) {
-                if (i.column >= j.column || std::abs(i.value * j.value) <= negligible) continue;
-                result.push_back({i.column, j.column, source, -i.value * j.value});
-            }
+void BlockGalerkin::Builder::add_source(std::uint32_t place, double edge_weight) {
+    g_.sources_.push_back({place, 0});
+    double sum = 0.0;
+    for (const Weight& w : row_) sum += w.value;
+    for (const Weight& i : row_) {
+        add_term(i.column, i.column, i.value * sum, edge_weight);
+        for (const Weight& j : row_) {
+            if (i.column < j.column) add_term(i.column, j.column, -i.value * j.value, edge_weight);
         }
-        weights.clear();
-    };
-    for (std::size_t e = 0; e < edge_count_; ++e) {
-        add_row(p, graph.edges[e].p, 1.0, weights);
-        add_row(p, graph.edges[e].q, -1.0, weights);
-        add_all(static_cast<std::uint32_t>(e));
     }
-    for (std::size_t row = 0; row < graph.rows(); ++row) {
-        add_row(p, row, 1.0, weights);
-        add_all(static_cast<std::uint32_t>(edge_count_ + row));
-    }
-    return result;
+    if (g_.sources_.back().terms == 0) g_.sources_.pop_back();
+    row_.clear();
 }
 
-// By row, column and source: by counting rows, which leaves little to sort.
-std::vector<BlockGalerkin::Contribution> BlockGalerkin::by_target(
-    const std::vector<Contribution>& all, std::size_t rows) {
-    std::vector<std::size_t> starts(rows + 1, 0);
-    for (const Contribution& c : all) ++starts[c.row + 1];
-    for (std::size_t row = 0; row < rows; ++row) starts[row + 1] += starts[row];
-    std::vector<Contribution> sorted(all.size());
-    std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
-    for (const Contribution& c : all) sorted[next[c.row]++] = c;
-    const auto at = [&](std::size_t n) { return sorted.begin() + static_cast<std::ptrdiff_t>(n); };
-    for (std::size_t row = 0; row < rows; ++row) {
-        std::sort(at(starts[row]), at(starts[row + 1]),
-                  [](const Contribution& a, const Contribution& b) {
-                      return a.column != b.column ? a.column < b.column : a.source < b.source;
-                  });
+void BlockGalerkin::Builder::build(std::span<const std::uint32_t> places) {
+    std::vector<std::uint32_t> order(graph_.edges.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto chunk_of = [&](std::uint32_t e) { return graph_.edges[e].p / chunk_rows; };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return chunk_of(a) != chunk_of(b) ? chunk_of(a) < chunk_of(b) : places[a] < places[b];
+    });
+    auto edge = order.begin();
+    for (std::size_t first = 0; first < graph_.rows(); first += chunk_rows) {
+        begin_chunk();
+        for (; edge != order.end() && chunk_of(*edge) == first / chunk_rows; ++edge) {
+            const RowGraph::Edge& e = graph_.edges[*edge];
+            add_row(p_, e.p, 1.0, row_);
+            add_row(p_, e.q, -1.0, row_);
+            add_source(places[*edge], e.weight);
+        }
+        g_.chunks_.back().rows = g_.sources_.size();
+        for (std::size_t row = first; row < std::min(first + chunk_rows, graph_.rows()); ++row) {
+            add_row(p_, row, 1.0, row_);
+            add_source(static_cast<std::uint32_t>(row), 0.0);
+        }
     }
-    return sorted;
+    begin_chunk();
+    set_parts();
+}
+
+void BlockGalerkin::Builder::set_parts() {
+    std::vector<std::uint32_t>& starts = g_.parts_starts_;
+    starts.assign(g_.targets_.size() + 1, 0);
+    for (const std::uint32_t target : sum_targets_) ++starts[target + 1];
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    g_.parts_.resize(sum_targets_.size());
+    std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
+    for (std::size_t sum = 0; sum < sum_targets_.size(); ++sum) {
+        g_.parts_[next[sum_targets_[sum]]++] = static_cast<std::uint32_t>(sum);
+    }
+    g_.sums_ = LineAligned<float>(record_size * sum_targets_.size());
 }
 
 BlockGalerkin::BlockGalerkin(const RowGraph& graph, std::span<const std::uint32_t> places,
-                             const Prolongation& prolongation)
-    : edge_count_(graph.edges.size()),
-      source_places_(places.begin(), places.end()),
-      sources_(record_size * (graph.edges.size() + graph.rows())) {
-    std::vector<Contribution> all =
-        by_target(contributions(graph, prolongation), prolongation.coarse_rows);
-    set_targets(all);
-    set_coarse(graph, prolongation);
+                             const Prolongation& prolongation) {
+    Builder builder(*this, graph, prolongation);
+    builder.build(places);
+    set_coarse(builder.weights(), prolongation);
 }
 
-void BlockGalerkin::set_targets(const std::vector<Contribution>& sorted) {
-    for (const Contribution& c : sorted) {
-        if (targets_.empty() || targets_.back().row != c.row ||
-            targets_.back().column != c.column) {
-            targets_.push_back({c.row, c.column, 0, 0});
-            starts_.push_back(static_cast<std::uint32_t>(terms_.size()));
-        }
-        terms_.push_back({c.source, static_cast<float>(c.weight)});
-    }
-    starts_.push_back(static_cast<std::uint32_t>(terms_.size()));
-}
-
-void BlockGalerkin::set_coarse(const RowGraph& graph, const Prolongation& prolongation) {
+void BlockGalerkin::set_coarse(std::span<const double> weights, const Prolongation& prolongation) {
     coarse_.takes_part.assign(prolongation.coarse_rows, 1);
     coarse_.places = prolongation.places;
     std::vector<Coupling> couplings;
@@ -133,12 +181,7 @@ void BlockGalerkin::set_coarse(const RowGraph& graph, const Prolongation& prolon
         if (target.row == target.column) continue;
         couplings.push_back({target.row, target.column});
         couplings.push_back({target.column, target.row});
-        double weight = 0.0;
-        for (std::size_t n = starts_[t]; n < starts_[t + 1]; ++n) {
-            if (terms_[n].source >= edge_count_) continue;
-            weight += static_cast<double>(terms_[n].weight) * graph.edges[terms_[n].source].weight;
-        }
-        coarse_.edges.push_back({target.row, target.column, std::max(weight, 0.0)});
+        coarse_.edges.push_back({target.row, target.column, std::max(weights[t], 0.0)});
     }
     pattern_ = BlockPattern(prolongation.coarse_rows, couplings);
     std::size_t c = 0;
@@ -150,36 +193,57 @@ void BlockGalerkin::set_coarse(const RowGraph& graph, const Prolongation& prolon
     }
 }
 
-void BlockGalerkin::read_sources(const BlockMatrix& fine) {
-    constexpr std::size_t grain = 8192;
+using BlockRecord = Eigen::Array<float, 8, 1>;
+
+// Batches of blocks are read first, then added: a vector read right after its numbers were stored
+// one by one would wait for them.
+template <typename ReadBlock>
+const BlockGalerkin::Term* BlockGalerkin::add_sources(std::size_t begin, std::size_t end,
+                                                      const Term* term, const ReadBlock& read) {
+    constexpr std::size_t batch = 64;
+    alignas(64) float blocks[batch * record_size] = {};
+    for (std::size_t first = begin; first < end; first += batch) {
+        const std::size_t count = std::min(batch, end - first);
+        for (std::size_t n = 0; n < count; ++n) {
+            read(sources_[first + n].place, blocks + record_size * n);
+        }
+        for (std::size_t n = 0; n < count; ++n) {
+            const BlockRecord k = Eigen::Map<const BlockRecord>(blocks + record_size * n);
+            for (const Term* const last = term + sources_[first + n].terms; term != last; ++term) {
+                Eigen::Map<BlockRecord, Eigen::Aligned32> sum(sums_.data() +
+                                                              record_size * term->sum);
+                sum += term->weight * k;
+            }
+        }
+    }
+    return term;
+}
+
+void BlockGalerkin::add_up(const BlockMatrix& fine, std::size_t chunk) {
+    const Chunk& begin = chunks_[chunk];
+    const Chunk& end = chunks_[chunk + 1];
+    std::fill(sums_.data() + record_size * begin.sums, sums_.data() + record_size * end.sums, 0.0f);
+    const Term* term = terms_.data() + begin.terms;
     const std::size_t size = static_cast<std::size_t>(fine.form);
-    parallel_for(edge_count_, grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t e = begin; e < end; ++e) {
-            const std::size_t place = source_places_[e];
-            const float* const from =
-                fine.couplings.data() + place / block_lanes * size * block_lanes;
-            read_block(from + place % block_lanes, fine.form, sources_.data() + record_size * e);
-        }
+    term = add_sources(begin.couplings, begin.rows, term, [&](std::size_t place, float* record) {
+        read_block(block_at(fine.couplings.data(), place, size), fine.form, record);
     });
-    float* const rows = sources_.data() + record_size * edge_count_;
-    parallel_for(fine.pattern->rows(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t row = begin; row < end; ++row) {
-            const float* const from = fine.own.data() + row / block_lanes * 6 * block_lanes;
-            read_block(from + row % block_lanes, BlockForm::symmetric, rows + record_size * row);
-        }
+    add_sources(begin.rows, end.couplings, term, [&](std::size_t row, float* record) {
+        read_block(block_at(fine.own.data(), row, 6), BlockForm::symmetric, record);
     });
 }
 
 void BlockGalerkin::compute(const BlockMatrix& fine, BlockMatrix& coarse) {
-    read_sources(fine);
-    using Record = Eigen::Array<float, record_size, 1>;
-    constexpr std::size_t grain = 1024;
+    parallel_for(chunks_.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t chunk = begin; chunk < end; ++chunk) add_up(fine, chunk);
+    });
+    constexpr std::size_t grain = 4096;
     parallel_for(targets_.size(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
-            Record sum = Record::Zero();
-            for (std::size_t n = starts_[t]; n < starts_[t + 1]; ++n) {
-                const float* const source = sources_.data() + record_size * terms_[n].source;
-                sum += terms_[n].weight * Eigen::Map<const Record, Eigen::Aligned32>(source);
+            BlockRecord sum = BlockRecord::Zero();
+            for (std::size_t n = parts_starts_[t]; n < parts_starts_[t + 1]; ++n) {
+                sum += Eigen::Map<const BlockRecord, Eigen::Aligned32>(sums_.data() +
+                                                                       record_size * parts_[n]);
             }
             const SymmetricBlock block{sum[0], sum[1], sum[2], sum[3], sum[4], sum[5]};
             if (targets_[t].row == targets_[t].column) {

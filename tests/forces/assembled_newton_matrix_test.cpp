@@ -14,7 +14,7 @@
 namespace weft::test {
 namespace {
 
-constexpr const char* all_solvers[] = {"cholesky", "jacobi", "aggregation"};
+constexpr const char* all_solvers[] = {"cholesky", "simplicial cholesky", "jacobi", "aggregation"};
 
 Eigen::MatrixXd dense_matrix(const NewtonProblem& problem) {
     const auto size = static_cast<Eigen::Index>(3 * problem.r.size());
@@ -53,9 +53,10 @@ TEST(AssembledSolver, AgreesWithADenseFactorisation) {
             const auto solver =
                 make_assembled_solver(sheet.cloth, name, chosen_instruction_set(), 1);
             ASSERT_NE(solver, nullptr);
-            EXPECT_EQ(solver->name(), name);
+            const bool direct = name.ends_with("cholesky");
+            EXPECT_EQ(solver->name(), direct ? "cholesky" : name);
             solver->linearise(problem.x(), inverse_tau, problem.blocks);
-            const double tolerance = name == "cholesky" ? 1e-11 : 1e-8;
+            const double tolerance = direct ? 1e-11 : 1e-8;
             const LinearReport report =
                 solver->solve(problem.right(), tolerance, 2000, problem.d.view());
             EXPECT_TRUE(report.converged);
@@ -191,9 +192,9 @@ TEST(AssembledSolver, FollowsTheMatrix) {
 
 // One frame of 1/60 s at 1 m and k = 1000 N/m: with cells a quarter as wide, block Jacobi takes
 // four times the iterations.
-TEST(AssembledSolver, AggregationNeedsHardlyMoreIterationsOnFinerMeshes) {
+TEST(AssembledSolver, AggregationNeedsNoMoreIterationsOnFinerMeshes) {
     std::vector<int> iterations, by_jacobi;
-    for (const std::uint32_t size : {25u, 50u, 100u}) {
+    for (const std::uint32_t size : {50u, 100u, 200u}) {
         const NewtonSheet sheet =
             mesh_sheet(sheet_mesh(size, size, 1.0 / (size - 1), true), "triangles", true);
         NewtonProblem problem(sheet.cloth);
@@ -207,8 +208,8 @@ TEST(AssembledSolver, AggregationNeedsHardlyMoreIterationsOnFinerMeshes) {
             (name == "jacobi" ? by_jacobi : iterations).push_back(report.iterations);
         }
     }
-    EXPECT_LT(iterations[2], 35);
-    EXPECT_LT(iterations[2], 2 * iterations[0]);
+    for (const int count : iterations) EXPECT_LE(count, 17);  // 20 of a plain V-cycle
+    EXPECT_LE(iterations[2], iterations[0] + 1);
     EXPECT_GT(by_jacobi[2], 10 * iterations[2]);
 }
 

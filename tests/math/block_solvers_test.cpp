@@ -1,6 +1,8 @@
 // Solvers of block matrices against dense factorisations.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "math/block_aggregation.h"
 #include "math/block_cholesky.h"
 #include "math/block_galerkin.h"
@@ -63,8 +65,8 @@ TEST(ConjugateGradient, SaysWhereItStopped) {
 }
 
 // Sheets without anything that holds them but a little mass: what Jacobi takes grows with the
-// sheet's width, what aggregation takes hardly.
-TEST(BlockAggregation, NeedsHardlyMoreIterationsOnLargerMatrices) {
+// sheet's width, what aggregation takes does not.
+TEST(BlockAggregation, NeedsNoMoreIterationsOnLargerMatrices) {
     std::vector<int> by_jacobi, by_aggregation;
     for (const std::size_t size : {16u, 32u, 64u, 128u}) {
         BlockExample e(size, size, BlockForm::spring, false, 1e-4);
@@ -85,9 +87,37 @@ TEST(BlockAggregation, NeedsHardlyMoreIterationsOnLargerMatrices) {
         by_aggregation.push_back(
             iteration.solve(e.matrix, aggregation, norm, 1e-4, 2000, right, d).iterations);
     }
-    EXPECT_LT(by_aggregation.back(), 25);
-    EXPECT_LT(by_aggregation[3], by_aggregation[1] + 8);
+    EXPECT_LE(by_aggregation.back(), 12);  // 13 where coarse levels are visited once
+    EXPECT_LE(by_aggregation[3], by_aggregation[1] + 1);
     EXPECT_GT(by_jacobi[3], 3 * by_aggregation[3]);
+}
+
+// Of four levels and more, so that coarse ones are visited twice.
+TEST(BlockAggregation, IsSymmetricAndPositive) {
+    for (const bool held : {false, true}) {
+        for (std::size_t n = 0; n < instruction_sets().size(); ++n) {
+            BlockExample e(64, 80, BlockForm::spring, held, 1e-3);
+            BlockAggregation aggregation(e.graph, e.places, static_cast<InstructionSet>(n));
+            ASSERT_GE(aggregation.coarse_rows().size(), 3u);
+            aggregation.update(e.matrix);
+            const std::size_t slices = e.pattern.slices(), rows = e.graph.rows();
+            std::vector<Eigen::VectorXd> right, solved;
+            for (const std::uint64_t seed : {9u, 10u, 11u}) {
+                const BlockVector r = random_block_vector(e.graph, slices, seed);
+                BlockVector z(slices, false);
+                const double product = aggregation.apply(r, z);
+                right.push_back(as_dense(r, rows));
+                solved.push_back(as_dense(z, rows));
+                EXPECT_GT(product, 0.0);
+                EXPECT_NEAR(product, right.back().dot(solved.back()), 1e-4 * product);
+            }
+            for (std::size_t a = 0; a < right.size(); ++a) {
+                const std::size_t b = (a + 1) % right.size();
+                EXPECT_NEAR(right[a].dot(solved[b]), right[b].dot(solved[a]),
+                            1e-5 * right[a].norm() * solved[b].norm());
+            }
+        }
+    }
 }
 
 TEST(BlockAggregation, CoarsensByAboutNine) {
@@ -171,6 +201,51 @@ TEST(BlockGalerkin, IsTheTripleProduct) {
         kernel.product(coarse, u, out);
         const Eigen::VectorXd product = expected * as_dense(u, size);
         EXPECT_LT((as_dense(out, size) - product).norm(), 3e-6 * product.norm());
+    }
+}
+
+// Rows of several chunks, and edges between them: a chain that comes back to where it began.
+TEST(BlockGalerkin, AddsUpAcrossChunks) {
+    using Numbers = std::array<double, 6>;
+    const Numbers joint{1.5, 0.0, 2.0, 0.5, 0.0, 4.5};
+    constexpr std::uint32_t rows = 10000;
+    RowGraph graph;
+    std::vector<Coupling> couplings;
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        graph.takes_part.push_back(1);
+        graph.places.push_back({static_cast<double>(row), 0.0, 0.0});
+        graph.edges.push_back({row, (row + 1) % rows, 1.0});
+        couplings.push_back({row, (row + 1) % rows});
+        couplings.push_back({(row + 1) % rows, row});
+    }
+    const BlockPattern pattern(rows, couplings);
+    BlockMatrix fine(pattern, BlockForm::spring);
+    std::vector<std::uint32_t> places;
+    for (std::size_t c = 0; c < couplings.size(); ++c) {
+        fine.set_spring(pattern.place(c), 0.5, {1.0, 0.0, 2.0});
+        if (c % 2 == 0) places.push_back(static_cast<std::uint32_t>(pattern.place(c)));
+    }
+    for (std::size_t row = 0; row < rows; ++row) fine.set_own(row, {3.0, 0.0, 0.0, 1.0, 0.0, 2.0});
+    Prolongation p;  // pairs of rows
+    p.coarse_rows = rows / 2;
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        p.starts.push_back(row);
+        p.columns.push_back(row / 2);
+        p.weights.push_back(1.0);
+    }
+    p.starts.push_back(rows);
+    p.places.resize(p.coarse_rows);
+    BlockGalerkin galerkin(graph, places, p);
+    ASSERT_EQ(galerkin.coarse_graph().edges.size(), rows / 2);
+    BlockMatrix coarse(galerkin.coarse_pattern(), BlockForm::symmetric);
+    for (int n = 0; n < 2; ++n) galerkin.compute(fine, coarse);  // nothing stays from before
+    for (std::size_t e = 0; e < rows / 2; ++e) {
+        const SymmetricBlock k = coarse.coupling(galerkin.coarse_places()[e]);
+        const Numbers numbers{k.xx, k.xy, k.xz, k.yy, k.yz, k.zz};
+        EXPECT_EQ(numbers, joint);
+        EXPECT_EQ(coarse.own_block(e).xx, 6.0);
+        EXPECT_EQ(coarse.own_block(e).yy, 2.0);
+        EXPECT_EQ(galerkin.coarse_graph().edges[e].weight, 1.0);
     }
 }
 
