@@ -113,6 +113,8 @@ int run_command(const RunOptions& options) {
     }
     Progress progress(scene.frame_count(), talk);
     simulate(simulation, queue ? &*queue : nullptr, progress, record);
+    record.warnings.insert(record.warnings.end(), simulation.warnings().begin(),
+                           simulation.warnings().end());
     const std::exception_ptr failure = queue ? finish(*queue, record) : nullptr;
     record.total_seconds = seconds_since(start);
 

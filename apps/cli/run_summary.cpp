@@ -5,10 +5,10 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <fstream>
 #include <thread>
 
 #include "io/scene_json.h"
+#include "math/processor_name.h"
 #include "weft/integrators.h"
 
 namespace weft {
@@ -16,16 +16,6 @@ namespace weft {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string processor_name() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);) {
-        if (line.rfind("model name", 0) != 0) continue;
-        const std::size_t colon = line.find(": ");
-        if (colon != std::string::npos) return line.substr(colon + 2);
-    }
-    return "unknown";
-}
 
 Json machine_json() {
     utsname names{};

@@ -2,30 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <thread>
 
 #include "bench/peers/built_in.h"
 #include "bench/peers/machine.h"
 #include "bench/peers/textbook.h"
 #include "bench/suite/median.h"
+#include "math/processor_name.h"
 #include "weft/error.h"
 #include "weft/instruction_set.h"
 
 namespace weft::bench {
 
 namespace {
-
-std::string processor_name() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);) {
-        const std::size_t colon = line.find(": ");
-        if (line.starts_with("model name") && colon != std::string::npos) {
-            return line.substr(colon + 2);
-        }
-    }
-    return "unknown";
-}
 
 // An entry while its group is timed.
 struct Runner {

@@ -36,7 +36,8 @@ struct Divergence {
 struct [[nodiscard]] FrameReport {
     std::size_t steps = 0;   ///< made in this frame
     double time_step = 0.0;  ///< their length [s]
-    int halvings = 0;        ///< of the step, made in this frame
+    /// Of the step, made in this frame. Implicit methods shorten it for the frame alone.
+    int halvings = 0;
     std::optional<Divergence> divergence;
 
     [[nodiscard]] bool ok() const { return !divergence.has_value(); }
@@ -96,6 +97,9 @@ public:
     [[nodiscard]] std::string_view linear_solver() const;
     /// What its steps took so far; zero for methods of fixed cost.
     [[nodiscard]] SolverCounts solver_counts() const;
+    /// What happened while it ran that one should know of, a line each: that a linear solver chosen
+    /// automatically broke down, and by what it was replaced.
+    [[nodiscard]] const std::vector<std::string>& warnings() const;
 
     [[nodiscard]] std::size_t frame() const;       ///< frames completed
     [[nodiscard]] double time() const;             ///< [s]

@@ -13,6 +13,8 @@ namespace {
 constexpr double first_forcing = 0.3;    // of the first linear solve, and the loosest
 constexpr double least_forcing = 1e-8;   // inner solves are in float: tighter is refinement
 constexpr double single_forcing = 1e-4;  // where there is no second solve to mend the first
+constexpr int patience = 250;            // iterations; few solutions take as many ...
+constexpr double late_forcing = 1e-2;    // ... then mixing learns from exacter directions
 constexpr double overshoot = 0.5;        // of the slope, that a step may end with
 constexpr int max_shortenings = 30;
 constexpr std::size_t remembered_changes = 12;  // ten failed on a flag in long steps
@@ -135,7 +137,8 @@ NewtonReport NewtonSolver::solve(ImplicitSystem& system, const ImplicitStage& st
     while (!report_.converged && report_.iterations < limits.max_iterations &&
            std::isfinite(squared)) {
         const double ratio = before > 0.0 ? squared / before : 1.0;
-        const double forcing = std::clamp(0.9 * ratio, least_forcing, first_forcing);
+        const double loosest = report_.iterations < patience ? first_forcing : late_forcing;
+        const double forcing = std::clamp(0.9 * ratio, least_forcing, loosest);
         if (!iterate(system, stage, forcing, x, v)) break;
         before = squared;
         squared = dot(b_, b_);

@@ -45,7 +45,8 @@ struct NewtonReport {
 /// The matrix leaves out the negative part of compressed springs, and that the air's force turns
 /// with the cloth: where cloth buckles Newton alone creeps, in strong wind it goes round in
 /// circles. Anderson's mixing of the last iterations (math/anderson_mixing.h), whose directions
-/// need not come from a gradient, mends both.
+/// need not come from a gradient, mends both. Where that takes long, linear systems are solved
+/// better: to mixing, what a loose solution leaves out is noise.
 class NewtonSolver {
 public:
     /// Sizes the work arrays.

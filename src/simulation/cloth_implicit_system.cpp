@@ -1,6 +1,9 @@
 #include "simulation/cloth_implicit_system.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "forces/assembled_newton_matrix.h"
 #include "forces/grid_multigrid.h"
@@ -13,6 +16,9 @@ namespace {
 
 // Enough for any matrix that is not singular in the solvers' precision.
 constexpr int max_linear_iterations = 2000;
+
+// A relative residual that a solver which works ends below, whatever it was asked for.
+constexpr double useless = 0.1;
 
 // Particles of a mesh above which a hierarchy is worth building.
 constexpr std::size_t large_mesh = 1000;
@@ -32,13 +38,19 @@ std::unique_ptr<NewtonMatrixSolver> make_newton_solver(const ClothModel& cloth, 
 }
 
 ClothImplicitSystem::ClothImplicitSystem(const ClothModel& cloth, const SceneDescription& scene,
-                                         DynamicsSystem<double>& forces, InstructionSet set,
+                                         DynamicsSystem<double>& forces,
+                                         std::vector<std::string>& warnings, InstructionSet set,
                                          int threads)
-    : forces_(forces),
+    : cloth_(cloth),
+      instruction_set_(set),
+      threads_(threads),
+      automatic_(scene.integrator.linear_solver == LinearSolver::automatic),
+      forces_(forces),
       drag_(scene.forces.damping),
       inverse_masses_(cloth.layout.slot_count()),
       blocks_(cloth.layout.slot_count()),
-      solver_(make_newton_solver(cloth, scene.integrator.linear_solver, set, threads)) {
+      solver_(make_newton_solver(cloth, scene.integrator.linear_solver, set, threads)),
+      warnings_(warnings) {
     cloth.layout.for_each(
         [&](std::size_t p, std::size_t slot) { inverse_masses_[slot] = 1.0 / cloth.masses[p]; });
     for (const Pin& pin : cloth.pins) inverse_masses_[cloth.slot(pin.particle)] = 0.0;
@@ -64,12 +76,32 @@ void ClothImplicitSystem::linearise(double t, double inverse_tau, ConstVec3View<
         const Vec3d wind = wind_velocity(*wind_, t);
         air_damping_->add(wind, x, v, inverse_tau, blocks_);
     }
+    x_ = x;
+    inverse_tau_ = inverse_tau;
     solver_->linearise(x, inverse_tau, blocks_);
 }
 
 LinearReport ClothImplicitSystem::solve(ConstVec3View<double> r, double tolerance,
                                         Vec3View<double> d) {
-    return solver_->solve(r, tolerance, max_linear_iterations, d);
+    const LinearReport report = solver_->solve(r, tolerance, max_linear_iterations, d);
+    if (report.converged || report.residual < useless || !automatic_) return report;
+    // What is not finite no solver mends.
+    double squared = 0.0;
+    for (std::size_t s = 0; s < r.size; ++s) {
+        if (inverse_masses_[s] > 0.0) squared += dot(r[s], r[s]) + dot(x_[s], x_[s]);
+    }
+    if (!std::isfinite(squared)) return report;
+    automatic_ = false;
+    warnings_.push_back(fmt::format(
+        "the linear solver {} broke down (relative residual {:.2g} after {} iterations) and was "
+        "replaced by cholesky: the springs' stiffnesses differ by too much for it",
+        solver_->name(), report.residual, report.iterations));
+    // Nobody asked for CHOLMOD's supernodal module, which is under the GPL.
+    solver_ = make_assembled_solver(cloth_, "simplicial cholesky", instruction_set_, threads_);
+    solver_->linearise(x_, inverse_tau_, blocks_);
+    LinearReport again = solver_->solve(r, tolerance, max_linear_iterations, d);
+    again.iterations += report.iterations;
+    return again;
 }
 
 }  // namespace weft

@@ -22,8 +22,10 @@ std::unique_ptr<NewtonMatrixSolver> make_newton_solver(const ClothModel& cloth, 
 class ClothImplicitSystem final : public ImplicitSystem {
 public:
     /// @param forces the cloth's forces in double; they and the cloth outlive the system.
+    /// @param warnings outlives the system; gets a line when a solver is replaced.
     ClothImplicitSystem(const ClothModel& cloth, const SceneDescription& scene,
-                        DynamicsSystem<double>& forces, InstructionSet set, int threads);
+                        DynamicsSystem<double>& forces, std::vector<std::string>& warnings,
+                        InstructionSet set, int threads);
 
     void acceleration(double t, ConstVec3View<double> x, ConstVec3View<double> v,
                       Vec3View<double> a) override {
@@ -37,18 +39,28 @@ public:
     }
     void linearise(double t, double inverse_tau, ConstVec3View<double> x,
                    ConstVec3View<double> v) override;
+    /// Where the solver was chosen automatically and breaks down, as floats do on springs whose
+    /// stiffnesses differ by more than their digits, Cholesky's factorisation takes its place from
+    /// then on.
     LinearReport solve(ConstVec3View<double> r, double tolerance, Vec3View<double> d) override;
 
     [[nodiscard]] std::string_view solver_name() const { return solver_->name(); }
 
 private:
+    const ClothModel& cloth_;
+    InstructionSet instruction_set_;
+    int threads_;
+    bool automatic_;  // whether another solver may be chosen
     DynamicsSystem<double>& forces_;
     double drag_;                            // [kg/s]
     std::optional<WindDescription> wind_;    // where there is air
     std::optional<AirDamping> air_damping_;  // likewise
     std::vector<double> inverse_masses_;     // [slot], 0: pinned, or padding [1/kg]
-    SymmetricBlocks<double> blocks_;         // of the last linearise()
+    SymmetricBlocks<double> blocks_;         // of the last linearise(), with ...
+    ConstVec3View<double> x_;                // ... its place
+    double inverse_tau_ = 0.0;               // ... and [1/s]
     std::unique_ptr<NewtonMatrixSolver> solver_;
+    std::vector<std::string>& warnings_;
 };
 
 }  // namespace weft

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "cloth/cloth_model.h"
@@ -39,6 +40,8 @@ public:
     [[nodiscard]] ClothImplicitSystem* implicit_system() override;
     /// The next implicit_system() is made anew, with the scene's linear solver of then.
     void forget_implicit_system() { implicit_system_.reset(); }
+    /// Of all its implicit systems so far.
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
     [[nodiscard]] const SpringNetwork* spring_network() override;
     void external_acceleration(double t, ConstVec3View<Real> x, ConstVec3View<Real> v,
                                Vec3View<Real> a) override;
@@ -85,6 +88,7 @@ private:
     std::unique_ptr<SpringNetwork> spring_network_;
     std::unique_ptr<ClothSystem<double>> forces_in_double_;  ///< of a system in float
     std::unique_ptr<ClothImplicitSystem> implicit_system_;
+    std::vector<std::string> warnings_;
 };
 
 extern template class ClothSystem<float>;

@@ -18,7 +18,8 @@ namespace weft {
 
 namespace {
 
-constexpr int max_halvings = 12;  // of the step, over a run
+constexpr int max_halvings = 12;          // of the step, over a run
+constexpr int max_implicit_halvings = 6;  // in a frame, without being asked
 constexpr std::size_t frames_between_estimates = 8;
 constexpr int products_per_estimate = 2;
 
@@ -47,12 +48,14 @@ public:
     }
     [[nodiscard]] const MethodChoice& method() const override { return method_; }
     [[nodiscard]] std::string_view linear_solver() override {
-        return find_integrator(method_.method)->kind == IntegratorKind::implicit
-                   ? system_.implicit_system()->solver_name()
-                   : std::string_view{};
+        return kind() == IntegratorKind::implicit ? system_.implicit_system()->solver_name()
+                                                  : std::string_view{};
     }
     [[nodiscard]] SolverCounts solver_counts() const override {
         return counts_before_ + integrator_->counts();
+    }
+    [[nodiscard]] const std::vector<std::string>& warnings() const override {
+        return system_.warnings();
     }
     [[nodiscard]] LinearAnalysis linear_analysis() const override;
     [[nodiscard]] double stable_step(std::string_view method) const override {
@@ -84,18 +87,16 @@ private:
     [[nodiscard]] bool is_auto() const { return !scene_.integrator.time_step.has_value(); }
     // Whether the step is kept stable while the cloth moves.
     [[nodiscard]] bool follows_stability() const {
-        return is_auto() && find_integrator(method_.method)->kind == IntegratorKind::explicit_steps;
+        return is_auto() && kind() == IntegratorKind::explicit_steps;
     }
     [[nodiscard]] std::size_t steps_of(const std::string& method) const {
         return steps_a_frame(scene_, method, modes_);
     }
+    [[nodiscard]] IntegratorKind kind() const { return find_integrator(method_.method)->kind; }
     void keep_stable();
     std::optional<StepFailure> run_steps(std::size_t count, std::size_t steps_per_frame);
-    Divergence describe_failure(const StepFailure& failure) const;
-    [[nodiscard]] bool may_halve() const {
-        return (is_auto() || scene_.integrator.on_divergence == OnDivergence::halve_step) &&
-               find_integrator(method_.method)->kind != IntegratorKind::adaptive;
-    }
+    Divergence describe_failure(const StepFailure& failure, std::size_t steps_per_frame) const;
+    [[nodiscard]] bool may_halve(int in_frame) const;
     void start_at_rest();
     void state_changed();
     void save();
@@ -253,6 +254,7 @@ std::optional<Divergence> ClothEngine<Real>::find_divergence() {
 template <typename Real>
 Divergence ClothEngine<Real>::trace_divergence(std::size_t steps_per_frame, bool restarted) {
     const double dt = frame_length() / static_cast<double>(steps_per_frame);
+    const std::optional<Divergence> at_end = find_divergence();
     std::optional<Divergence> found;
     std::size_t step = 0;
     go_back();
@@ -263,6 +265,7 @@ Divergence ClothEngine<Real>::trace_divergence(std::size_t steps_per_frame, bool
         state_.time = frame_time(frame_) + static_cast<double>(step) * dt;
         found = find_divergence();
     }
+    if (!found) found = at_end;  // another linear solver than before took it elsewhere
     found->step = step_count_ + step;
     found->time = state_.time;
     found->time_step = dt;
@@ -273,16 +276,17 @@ Divergence ClothEngine<Real>::trace_divergence(std::size_t steps_per_frame, bool
 
 // A step that could not be made, told as a divergence. state_.time is where it began.
 template <typename Real>
-Divergence ClothEngine<Real>::describe_failure(const StepFailure& failure) const {
+Divergence ClothEngine<Real>::describe_failure(const StepFailure& failure,
+                                               std::size_t steps_per_frame) const {
     Divergence divergence;
-    divergence.time_step = frame_length() / static_cast<double>(steps_per_frame_);
+    divergence.time_step = frame_length() / static_cast<double>(steps_per_frame);
     divergence.time = state_.time;
     divergence.step = step_count_ + 1 +
                       static_cast<std::size_t>(
                           std::llround((state_.time - frame_time(frame_)) / divergence.time_step));
     divergence.stable_step = modes_.stable_step(method_.method);
-    divergence.message =
-        fmt::format("{} cannot make step {}: {}", method_.method, divergence.step, failure.reason);
+    divergence.message = fmt::format("{} cannot make step {}, of {:.4g} s: {}", method_.method,
+                                     divergence.step, divergence.time_step, failure.reason);
     divergence.advice = failure.advice;
     return divergence;
 }
@@ -315,26 +319,39 @@ void ClothEngine<Real>::state_changed() {
     save();
 }
 
+// An implicit step that cannot be solved, or leads nowhere, is not too long for the cloth but for
+// this one moment: it is shortened for the frame alone, and at first without being asked.
+template <typename Real>
+bool ClothEngine<Real>::may_halve(int in_frame) const {
+    const bool asked = is_auto() || scene_.integrator.on_divergence == OnDivergence::halve_step;
+    if (kind() == IntegratorKind::implicit)
+        return in_frame < (asked ? max_halvings : max_implicit_halvings);
+    return asked && halvings_ < max_halvings && kind() != IntegratorKind::adaptive;
+}
+
 template <typename Real>
 FrameReport ClothEngine<Real>::advance_frame() {
     keep_stable();
     FrameReport report;
+    std::size_t steps = steps_per_frame_;
     while (true) {
-        const std::optional<StepFailure> failure = run_steps(steps_per_frame_, steps_per_frame_);
-        report.steps = steps_per_frame_;
-        report.time_step = frame_length() / static_cast<double>(steps_per_frame_);
+        const std::optional<StepFailure> failure = run_steps(steps, steps);
+        report.steps = steps;
+        report.time_step = frame_length() / static_cast<double>(steps);
         if (!failure && !find_divergence()) break;
-        if (!may_halve() || halvings_ == max_halvings) {
-            report.divergence = failure ? describe_failure(*failure)
-                                        : trace_divergence(steps_per_frame_, report.halvings > 0);
+        if (!may_halve(report.halvings)) {
+            report.divergence = failure ? describe_failure(*failure, steps)
+                                        : trace_divergence(steps, report.halvings > 0);
             go_back();
             return report;
         }
         go_back();
         integrator_->restart();  // what it keeps belongs to the longer step
-        steps_per_frame_ *= 2;
-        ++halvings_;
+        steps *= 2;
         ++report.halvings;
+        if (kind() == IntegratorKind::implicit) continue;
+        steps_per_frame_ = steps;
+        ++halvings_;
     }
     ++frame_;
     step_count_ += report.steps;

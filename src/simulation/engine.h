@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cloth/cloth_model.h"
 #include "math/instruction_sets.h"
@@ -28,6 +30,7 @@ public:
     [[nodiscard]] virtual const MethodChoice& method() const = 0;
     [[nodiscard]] virtual std::string_view linear_solver() = 0;
     [[nodiscard]] virtual SolverCounts solver_counts() const = 0;
+    [[nodiscard]] virtual const std::vector<std::string>& warnings() const = 0;
     [[nodiscard]] virtual LinearAnalysis linear_analysis() const = 0;
     [[nodiscard]] virtual double stable_step(std::string_view method) const = 0;
     [[nodiscard]] virtual std::size_t frame() const = 0;

@@ -80,6 +80,10 @@ SolverCounts Simulation::solver_counts() const {
     return parts_->engine->solver_counts();
 }
 
+const std::vector<std::string>& Simulation::warnings() const {
+    return parts_->engine->warnings();
+}
+
 void Simulation::set_integrator(const IntegratorDescription& integrator) {
     SceneDescription changed = parts_->scene;
     changed.integrator = integrator;

@@ -78,7 +78,7 @@ Drift energy_drift(std::string_view method, double dt, int steps) {
 }
 
 // Over 1e5 periods the error of the energy stays what it was over the first thousand.
-TEST(EnergyDrift, IsBoundedOver100000PeriodsWhereSymplectic) {
+TEST(SlowEnergyDrift, IsBoundedOver100000PeriodsWhereSymplectic) {
     constexpr double dt = 0.04;       // omega dt = 0.2
     constexpr int steps = 3'141'593;  // 1e5 periods of 2 pi / 5 s
     for (const IntegratorInfo& info : explicit_methods()) {
