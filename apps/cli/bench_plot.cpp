@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/gnuplot.h"
+#include "io/gnuplot.h"
 #include "weft/error.h"
 
 namespace weft {

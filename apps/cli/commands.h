@@ -47,11 +47,21 @@ struct BenchOptions {
     std::string plot;            ///< file to draw; empty: none
 };
 
+struct LabCommandOptions {
+    std::vector<std::string> words;    ///< experiments and scenes, as they come
+    std::vector<std::string> set;      ///< "KEY=VALUE"
+    std::vector<std::string> methods;  ///< to rank; empty: all
+    std::string directory;             ///< empty: weft-lab/NAME
+    bool quick = false, quiet = false, json = false;
+    int threads = 0;  ///< 0: all
+};
+
 int run_command(const RunOptions& options);
 int render_command(const RenderOptions& options);
 int check_command(const SceneOptions& options);
 int bench_command(const BenchOptions& options);
-/// @param what "integrators", "fabrics", "scenes", "formats" or "keys"
+int lab_command(const LabCommandOptions& options);
+/// @param what "integrators", "fabrics", "scenes", "formats", "experiments" or "keys"
 int list_command(const std::string& what, bool json);
 
 /// Reads the scene with the options' overrides and frames applied.

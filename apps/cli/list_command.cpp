@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "io/scene_keys.h"
+#include "lab/experiment.h"
 #include "weft/error.h"
 #include "weft/integrators.h"
 #include "weft/recorder.h"
@@ -128,6 +129,17 @@ void list_formats(bool json) {
     if (json) fmt::print("{}\n", Json{{"formats", rows}}.dump(2));
 }
 
+void list_experiments(bool json) {
+    Json rows = Json::array();
+    for (const lab::Experiment& experiment : lab::experiment_catalogue()) {
+        rows.push_back({{"name", experiment.name},
+                        {"title", experiment.title},
+                        {"question", experiment.question}});
+        if (!json) fmt::print("{:<16} {}\n", experiment.name, experiment.question);
+    }
+    if (json) fmt::print("{}\n", Json{{"experiments", rows}}.dump(2));
+}
+
 void list_keys(bool json) {
     Json rows = Json::array();
     for (const SceneKey& key : scene_keys()) {
@@ -149,10 +161,11 @@ struct List {
     std::string_view name;
     void (*print)(bool json);
 };
-constexpr std::array<List, 5> lists{{{"integrators", list_integrators},
+constexpr std::array<List, 6> lists{{{"integrators", list_integrators},
                                      {"fabrics", list_fabrics},
                                      {"scenes", list_scenes},
                                      {"formats", list_formats},
+                                     {"experiments", list_experiments},
                                      {"keys", list_keys}}};
 
 }  // namespace
@@ -165,9 +178,10 @@ int list_command(const std::string& what, bool json) {
     }
     throw Error(
         ErrorKind::usage, {},
-        fmt::format("\"{}\" cannot be listed: integrators, fabrics, scenes, formats or keys "
-                    "can",
-                    what));
+        fmt::format(
+            "\"{}\" cannot be listed: integrators, fabrics, scenes, formats, experiments or keys "
+            "can",
+            what));
 }
 
 }  // namespace weft

@@ -79,11 +79,13 @@ public:
             "  weft run my.toml --set wind.velocity=[12,0,0] -o out\n"
             "  weft render flag -o flag.mp4           make a video of it\n"
             "  weft check sheet                       what is stable, and how large the scene is\n"
+            "  weft lab --quick sheet                 measure every method on it; report.html\n"
             "Exit status: 0 done, 1 diverged, 2 wrong command line or scene, 3 reading or writing\n"
             "failed, 130 interrupted.");
         add_run();
         add_render();
         add_check();
+        add_lab();
         add_bench();
         add_list();
     }
@@ -142,6 +144,34 @@ private:
         command->add_flag("--json", check_.json, "Print a JSON object");
         command->callback([this] { action_ = [this] { return check_command(check_); }; });
     }
+    void add_lab() {
+        CLI::App* command = app_.add_subcommand(
+            "lab", "The laboratory: measure the methods on a scene, and write a report");
+        command->add_option("EXPERIMENT|SCENE", lab_.words,
+                            "Experiments (weft list experiments; default: all), and a scene "
+                            "(default: sheet); or \"compare\" and two scenes");
+        command
+            ->add_option("--set", lab_.set, "Set a key of the scene: --set cloth.resolution=[9,9]")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+        command
+            ->add_option("-o,--output", lab_.directory,
+                         "Directory (default weft-lab/NAME); a study that was interrupted goes on")
+            ->type_name("DIR");
+        command->add_option("--methods", lab_.methods, "Only these: --methods verlet,rk4")
+            ->type_name("NAMES")
+            ->delimiter(',')
+            ->allow_extra_args(false);
+        command->add_flag("--quick", lab_.quick, "Fewer and shorter runs: under a minute");
+        command->add_option("--threads", lab_.threads, "Runs at a time; the result is the same")
+            ->type_name("N")
+            ->check(CLI::Range(1, most_threads));
+        CLI::Option* quiet =
+            command->add_flag("--quiet", lab_.quiet, "Say nothing unless something goes wrong");
+        command->add_flag("--json", lab_.json, "Print lab.json on standard output")
+            ->excludes(quiet);
+        command->callback([this] { action_ = [this] { return lab_command(lab_); }; });
+    }
     void add_bench() {
         CLI::App* command =
             app_.add_subcommand("bench", "Speed on this machine, beside the peers built in");
@@ -163,7 +193,9 @@ private:
     }
     void add_list() {
         CLI::App* command = app_.add_subcommand("list", "List what weft knows");
-        command->add_option("WHAT", what_, "integrators, fabrics, scenes, formats, or keys")
+        command
+            ->add_option("WHAT", what_,
+                         "integrators, fabrics, scenes, formats, experiments, or keys")
             ->required();
         command->add_flag("--json", list_json_, "Print a JSON object");
         command->callback([this] { action_ = [this] { return list_command(what_, list_json_); }; });
@@ -173,6 +205,7 @@ private:
     RunOptions run_;
     RenderOptions render_;
     SceneOptions check_;
+    LabCommandOptions lab_;
     BenchOptions bench_;
     std::string what_;
     bool list_json_ = false;

@@ -14,14 +14,14 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+}  // namespace
+
 std::string duration_text(double seconds) {
     if (seconds < 60.0) return fmt::format("{:.0f} s", seconds);
     const int minutes = static_cast<int>(seconds / 60.0);
     if (minutes < 60) return fmt::format("{} min {:02.0f} s", minutes, seconds - 60.0 * minutes);
     return fmt::format("{:.1f} h", seconds / 3600.0);
 }
-
-}  // namespace
 
 Progress::Progress(std::size_t frame_count, bool enabled)
     : frame_count_(frame_count),

@@ -10,6 +10,9 @@
 
 namespace weft {
 
+/// "40 s", "3 min 20 s", "1.5 h"
+std::string duration_text(double seconds);
+
 /// One line, updated in place at a terminal; elsewhere a plain line about every tenth of the run.
 /// Writes to standard error.
 class Progress {

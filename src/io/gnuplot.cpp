@@ -1,4 +1,4 @@
-#include "cli/gnuplot.h"
+#include "io/gnuplot.h"
 
 #include <spawn.h>
 #include <sys/mman.h>
