@@ -40,7 +40,7 @@ std::string Errors::failure() const {
 
 std::vector<std::size_t> StepCounts::all() const {
     std::vector<std::size_t> counts;
-    for (std::size_t steps = first; steps <= most; steps *= 2) {
+    for (std::size_t steps = first; steps > 0 && steps <= most; steps *= 2) {
         counts.push_back(steps);
         if (halfway && steps < most) counts.push_back(steps / 2 * 3);
     }

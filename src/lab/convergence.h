@@ -43,7 +43,7 @@ struct Errors {
 /// Numbers of steps: `first`, twice that, and so on up to `most`; with halfway ones, `first`, 3/2
 /// of it, 2, 3, 4, 6 and so on: for methods of high order, whose errors soon come down to rounding.
 struct StepCounts {
-    std::size_t first = 0, most = 0;
+    std::size_t first = 0, most = 0;  ///< 0: none
     bool halfway = false;
 
     [[nodiscard]] std::vector<std::size_t> all() const;

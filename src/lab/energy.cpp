@@ -50,6 +50,7 @@ private:
     [[nodiscard]] double motion_in(Stage stage) const;
     [[nodiscard]] std::vector<EnergyCurve> curves(Stage stage, bool explicit_ones,
                                                   bool implicit_ones) const;
+    void add_balance(Section& section) const;
     void add_plots(Section& section) const;
     [[nodiscard]] std::vector<const EnergyLeg*> legs_by_kind() const;
     [[nodiscard]] Table drift_table() const;
@@ -173,6 +174,28 @@ std::vector<EnergyCurve> EnergyExperiment::curves(Stage stage, bool explicit_one
     return found;
 }
 
+// E - W of the scene as it is.
+void EnergyExperiment::add_balance(Section& section) const {
+    const auto add = [&](const std::vector<EnergyCurve>& drawn, const auto& plot) {
+        if (!drawn.empty()) section.blocks.emplace_back(plot(drawn));
+    };
+    const double motion = motion_in(Stage::scene);
+    add(curves(Stage::scene, true, false), [&](const auto& drawn) {
+        return account_plot("balance",
+                            fmt::format("The scene as it is: energy less the work of dashpots, "
+                                        "drag, air and pins, at {:.3g} s",
+                                        step_of_scene_),
+                            drawn, motion, 0.1);
+    });
+    add(curves(Stage::scene, false, true), [&](const auto& drawn) {
+        Plot plot = account_plot("balance-automatic",
+                                 "The same of methods without a limit, at their automatic steps",
+                                 drawn, motion, 1.0);
+        plot.text += " With steps so long the sum of the work is itself coarse.";
+        return plot;
+    });
+}
+
 void EnergyExperiment::add_plots(Section& section) const {
     const auto add = [&](const std::vector<EnergyCurve>& drawn, const auto& plot) {
         if (!drawn.empty()) section.blocks.emplace_back(plot(drawn));
@@ -191,24 +214,7 @@ void EnergyExperiment::add_plots(Section& section) const {
                                 drawn, scale_.motion, 1.0);
         });
     }
-    if (!is_conservative(laboratory_.scene())) {
-        const double motion = motion_in(Stage::scene);
-        add(curves(Stage::scene, true, false), [&](const auto& drawn) {
-            return account_plot("balance",
-                                fmt::format("The scene as it is: energy less the work of dashpots, "
-                                            "drag, air and pins, at {:.3g} s",
-                                            step_of_scene_),
-                                drawn, motion, 0.1);
-        });
-        add(curves(Stage::scene, false, true), [&](const auto& drawn) {
-            Plot plot =
-                account_plot("balance-automatic",
-                             "The same of methods without a limit, at their automatic steps", drawn,
-                             motion, 1.0);
-            plot.text += " With steps so long the sum of the work is itself coarse.";
-            return plot;
-        });
-    }
+    if (!is_conservative(laboratory_.scene())) add_balance(section);
     for (const EnergyLeg* leg : legs_by_kind()) {
         section.blocks.emplace_back(
             energy_by_kind_plot({leg->info->name, &leg->run}, leg->time_step));

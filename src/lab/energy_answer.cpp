@@ -56,7 +56,7 @@ std::string periods_flown(const Legs& legs, const EnergyScale& scale) {
     }
     if (periods.empty()) return {};
     const auto [least, most] = std::ranges::minmax(periods);
-    return fmt::format(" and over {:.2g} to {:.4g} periods of the fastest mode", least, most);
+    return fmt::format(" and over {:.3g} to {:.4g} periods of the fastest mode", least, most);
 }
 
 }  // namespace
@@ -68,13 +68,18 @@ std::string energy_answer(const Legs& legs, const EnergyScale& scale,
             return !leg.blew_up(scale) && leg.verdict(scale) == verdict;
         });
     };
+    const auto ended = [&](bool gaining) {
+        return filtered(legs, [&](const EnergyLeg& leg) {
+            return leg.blew_up(scale) && (leg.verdict(scale) == Verdict::gains) == gaining;
+        });
+    };
     const Legs losing = with(Verdict::loses), gaining = with(Verdict::gains);
     std::vector<std::string> parts{
         told(with(Verdict::keeps), "keep", "the energy (within 1 % in 1000 periods)"),
         told(losing, "lose", "energy") + rates(losing, scale),
         told(gaining, "gain", "energy") + rates(gaining, scale),
-        told(filtered(legs, [&](const EnergyLeg& leg) { return leg.blew_up(scale); }), "gain",
-             "energy until the cloth blows up"),
+        told(ended(true), "gain", "energy until the cloth blows up"),
+        told(ended(false), "fail", "before the end of the flight"),
         told(with(Verdict::too_short), "show", "no clear trend")};
     std::erase(parts, std::string());
     return fmt::format("{}{}: {}.", beginning, periods_flown(legs, scale), fmt::join(parts, "; "));

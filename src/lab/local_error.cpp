@@ -208,18 +208,26 @@ void add_scene_blocks(const SceneDescription& scene, const Steps& steps,
 }
 
 std::string scene_answer(const std::vector<Measured>& methods) {
-    const auto confirmed = std::ranges::count_if(methods, &Measured::confirmed);
     std::string others;
+    std::size_t confirmed = 0, exact = 0;
     for (const Measured& measured : methods) {
-        if (measured.confirmed()) continue;
-        others += fmt::format("{}{}", others.empty() ? "" : ", ", measured.method);
-        others += measured.fit.points > 0
-                      ? fmt::format(" {:.2f} for {}", measured.fit.order, measured.expected)
-                      : " no error above the reference's";
+        if (measured.confirmed()) {
+            ++confirmed;
+        } else if (measured.fit.points == 0) {
+            ++exact;
+        } else {
+            others += fmt::format("{}{} {:.2f} for {}", others.empty() ? "" : ", ", measured.method,
+                                  measured.fit.order, measured.expected);
+        }
     }
-    return fmt::format("on the scene {} of {} methods show the local order p + 1 within {}{}",
-                       confirmed, methods.size(), as_stated,
-                       others.empty() ? "" : " (not " + others + ")");
+    std::string text = fmt::format(
+        "on the scene {} of {} methods show the local order p + 1 "
+        "within {}",
+        confirmed, methods.size(), as_stated);
+    if (!others.empty()) text += " (not " + others + ")";
+    if (exact > 0)
+        text += fmt::format(", {} {} as exact as the reference", exact, exact == 1 ? "is" : "are");
+    return text;
 }
 
 // The trials of the second batch: the paper's table, then a method each.

@@ -245,21 +245,29 @@ std::string scene_answer(const Results& scene) {
         return "; on the scene it could not be measured: " + scene.problem.ends.failure + ".";
     }
     std::string others;
-    std::size_t confirmed = 0;
+    std::size_t confirmed = 0, exact = 0, left_out = 0;
     for (const Measured& measured : scene.methods) {
+        const OrderFit& fit = measured.positions;
         if (measured.confirmed()) {
             ++confirmed;
-            continue;
+        } else if (measured.errors.points.empty()) {
+            ++left_out;
+        } else if (fit.points == 0 && measured.errors.failure().empty()) {
+            ++exact;
+        } else {
+            others += fmt::format("{}{} {}", others.empty() ? "" : ", ", measured.method,
+                                  fit.points > 0
+                                      ? fmt::format("{:.2f} for {}", fit.order, measured.stated)
+                                      : std::string("failed"));
         }
-        const OrderFit& fit = measured.positions;
-        others +=
-            fmt::format("{}{} {}", others.empty() ? "" : ", ", measured.method,
-                        fit.points > 0 ? fmt::format("{:.2f} for {}", fit.order, measured.stated)
-                                       : reason(scene.problem, measured));
     }
     std::string text = fmt::format("; on the scene {} of {} do within {}", confirmed,
                                    scene.methods.size(), as_stated);
-    return others.empty() ? text + "." : text + " (not " + others + ").";
+    if (!others.empty()) text += " (not " + others + ")";
+    if (exact > 0)
+        text += fmt::format(", {} {} as exact as the reference", exact, exact == 1 ? "is" : "are");
+    if (left_out > 0) text += fmt::format(", {} would take too much work", left_out);
+    return text + ".";
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ namespace {
 constexpr double limits_long = 8.0;
 constexpr double limit_of_slack = 0.01;    // where no spring limits a step [s]
 constexpr double reference_share = 1e-13;  // its tolerance, of the cloth's size
+constexpr double rounding_share = 2e-15;   // what rounding makes of a position, likewise
 
 // On which side the air meets each triangle: at the first call it is noted, later calls find who
 // has changed.
@@ -114,11 +115,11 @@ SceneStretch find_scene_stretch(Specimen& specimen, bool quick, const Watch& wat
     found.end = found.start;
     found.failure = std::move(flight.failure);
     if (!found.failure.empty()) return found;
-    const Reference reference =
-        reference_solution(specimen, found.start, found.start.time + stretch.length(),
-                           reference_share * specimen.cloth().rest_diagonal(), watch);
+    const double size = specimen.cloth().rest_diagonal();
+    const Reference reference = reference_solution(
+        specimen, found.start, found.start.time + stretch.length(), reference_share * size, watch);
     found.end = reference.state;
-    found.reference_error = reference.error;
+    found.reference_error = std::max(reference.error, rounding_share * size);
     if (!reference.converged) found.failure = "the reference solution did not converge";
     found.motion = motion_between(specimen.cloth(), found.start, found.end);
     if (found.motion == 0.0) found.failure = "nothing moves in it";

@@ -62,7 +62,9 @@ FlightPlan plan_of(Specimen& specimen, const WorkPlan& work, const WorkStretch& 
     const auto steps = static_cast<std::size_t>(first) << level;
     FlightPlan plan{info.name, length / static_cast<double>(steps), steps, {}, {}};
     if (info.kind == IntegratorKind::implicit) {
-        plan.tolerance = 1e-6 * specimen.cloth().rest_diagonal();
+        // As the local error of second order, lest what is left unsolved outweigh it.
+        plan.tolerance =
+            std::max(1e-6 * specimen.cloth().rest_diagonal() * std::pow(0.125, level), 1e-12);
         plan.iterations = work.quick ? newton_iterations_quick : newton_iterations;
     }
     return plan;

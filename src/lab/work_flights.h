@@ -38,9 +38,10 @@ struct WorkPlan {
 /// than a quarter of that), methods without a limit at 1/15 s, all with four steps at least; then
 /// each time half the step. Adaptive ones begin with a tolerance of a hundredth of the motion, then
 /// each time a tenth of it. Everything else is as the methods are by default, but Newton's method
-/// ends after 300 iterations (`quick`: 100) and at a millionth of the cloth's size. It goes on
-/// until an error is below 5e-5 of the motion, or another flight would cost too much: counted in
-/// evaluations and iterations, not in time, so that it is the same on every machine.
+/// ends after 300 iterations (`quick`: 100) and is exact to a millionth of the cloth's size at
+/// first, to an eighth of that with each halving. It goes on until an error is below 5e-5 of the
+/// motion, or another flight would cost too much: counted in evaluations and iterations, not in
+/// time, so that it is the same on every machine.
 WorkSeries measure_work(Specimen& specimen, const WorkPlan& plan, const WorkStretch& stretch,
                         const Watch& watch);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lab/energy_answer.h"
 #include "lab/energy_leg.h"
 #include "lab/experiment.h"
 #include "support/cloth_scenes.h"
@@ -75,6 +76,26 @@ TEST(EnergyLeg, SaysWhoKeepsLosesAndGains) {
     EXPECT_EQ(verdict(5.0, 60), Verdict::gains);        // beyond the motion's energy
     EXPECT_NEAR(leg.drift(scale), 5.0 * 0.2 / 10.0, 1e-12);
     EXPECT_NEAR(leg.largest_change(), 30.0, 1e-9);
+}
+
+TEST(EnergyAnswer, TellsEveryMethodOnce) {
+    const EnergyScale scale{0.2, 10.0};
+    const auto leg = [](const char* method, double slope, std::string failure) {
+        EnergyLeg made;
+        made.info = find_integrator(method);
+        made.time_step = 0.1;
+        made.run = made_up(400, [&](double t) { return slope * t; });
+        made.run.failure = std::move(failure);
+        return made;
+    };
+    const EnergyLeg keeps = leg("verlet", 1e-5, ""), loses = leg("rk3", -0.01, ""),
+                    loses_more = leg("rk4", -0.02, ""), blows_up = leg("rk2", 50.0, "blew up"),
+                    fails = leg("bdf2", -0.01, "Newton did not converge");
+    EXPECT_EQ(energy_answer({&keeps, &loses, &loses_more, &blows_up, &fails}, scale, "Here"),
+              "Here and over 200 to 200 periods of the fastest mode: verlet keeps the energy "
+              "(within 1 % in 1000 periods); rk3, rk4 lose energy, 0.0002 to 0.0004 of the "
+              "motion's a period; rk2 gains energy until the cloth blows up; bdf2 fails before the "
+              "end of the flight.");
 }
 
 TEST(EnergyAccount, IsConservedByAnExactFlightWhateverTakesEnergy) {
