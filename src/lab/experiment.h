@@ -28,13 +28,13 @@ std::span<const Experiment> experiment_catalogue();
 /// @return nullptr where no such experiment exists.
 const Experiment* find_experiment(std::string_view name);
 
-Section measure_order(Laboratory& laboratory);           // order.cpp
-Section measure_local_error(Laboratory& laboratory);     // local_error.cpp
-Section measure_stability(Laboratory& laboratory);       // stability.cpp
-Section measure_energy(Laboratory& laboratory);          // energy.cpp
-Section measure_settle(Laboratory& laboratory);          // settle.cpp
-Section measure_look(Laboratory& laboratory);            // look.cpp
-Section measure_work_precision(Laboratory& laboratory);  // work_precision.cpp
-Section measure_sensitivity(Laboratory& laboratory);     // sensitivity.cpp
+Section measure_order(Laboratory& laboratory);           // order/order.cpp
+Section measure_local_error(Laboratory& laboratory);     // order/local_error.cpp
+Section measure_stability(Laboratory& laboratory);       // stability/stability.cpp
+Section measure_energy(Laboratory& laboratory);          // energy/energy.cpp
+Section measure_settle(Laboratory& laboratory);          // settle/settle.cpp
+Section measure_look(Laboratory& laboratory);            // look/look.cpp
+Section measure_work_precision(Laboratory& laboratory);  // work_precision/work_precision.cpp
+Section measure_sensitivity(Laboratory& laboratory);     // sensitivity/sensitivity.cpp
 
 }  // namespace weft::lab

@@ -7,7 +7,7 @@
 
 #include "lab/experiment.h"
 #include "lab/laboratory.h"
-#include "lab/report.h"
+#include "lab/report/report.h"
 
 namespace weft::lab {
 

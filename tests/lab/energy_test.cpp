@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "lab/energy_answer.h"
-#include "lab/energy_leg.h"
+#include "lab/energy/energy_answer.h"
+#include "lab/energy/energy_leg.h"
 #include "lab/experiment.h"
 #include "support/cloth_scenes.h"
 #include "support/temporary_study.h"

@@ -1,11 +1,11 @@
 // Words, tiles and strips: what stands where in the pictures.
-#include "lab/film_strip.h"
+#include "lab/look/film_strip.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "lab/picture_text.h"
+#include "lab/look/picture_text.h"
 #include "lab/wrinkles.h"
 #include "render/camera.h"
 #include "render/stage.h"

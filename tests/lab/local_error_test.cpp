@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lab/experiment.h"
-#include "lab/printed_errors.h"
+#include "lab/order/printed_errors.h"
 #include "lab/scene_stretch.h"
 #include "lab/seed_sheet.h"
 #include "support/cloth_scenes.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "lab/look_show.h"
+#include "lab/look/look_show.h"
 #include "support/cloth_scenes.h"
 #include "weft/error.h"
 #include "weft/integrators.h"

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "lab/convergence.h"
 #include "lab/experiment.h"
-#include "lab/order_fit.h"
-#include "lab/order_plot.h"
-#include "lab/order_problems.h"
-#include "lab/test_problems.h"
+#include "lab/order/convergence.h"
+#include "lab/order/order_fit.h"
+#include "lab/order/order_plot.h"
+#include "lab/order/order_problems.h"
+#include "lab/order/test_problems.h"
 #include "support/cloth_scenes.h"
 #include "support/sanitized.h"
 #include "support/temporary_study.h"

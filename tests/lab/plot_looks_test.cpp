@@ -1,4 +1,4 @@
-#include "lab/plot_looks.h"
+#include "lab/report/plot_looks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "lab/plot_script.h"
+#include "lab/report/plot_script.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <string>
 
 #include "io/gnuplot.h"
-#include "lab/inline_svg.h"
-#include "lab/plot_axes.h"
-#include "lab/plot_file.h"
-#include "lab/report.h"
+#include "lab/report/inline_svg.h"
+#include "lab/report/plot_axes.h"
+#include "lab/report/plot_file.h"
+#include "lab/report/report.h"
 #include "support/sample_report.h"
 #include "weft/error.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "lab/kinks.h"
-#include "lab/test_problems.h"
+#include "lab/order/test_problems.h"
 #include "support/cloth_scenes.h"
 #include "support/cvode.h"
 

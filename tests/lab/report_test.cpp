@@ -1,4 +1,4 @@
-#include "lab/report.h"
+#include "lab/report/report.h"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 #include <set>
 #include <string>
 
-#include "lab/html_text.h"
-#include "lab/report_files.h"
-#include "lab/report_findings.h"
-#include "lab/report_layout.h"
+#include "lab/report/html_text.h"
+#include "lab/report/report_files.h"
+#include "lab/report/report_findings.h"
+#include "lab/report/report_layout.h"
 #include "support/sample_report.h"
 #include "weft/error.h"
 

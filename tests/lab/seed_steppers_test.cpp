@@ -1,6 +1,6 @@
 // The seeds' updates do what their formulas say, to the last digit that a hand-written recursion
 // gives.
-#include "lab/seed_steppers.h"
+#include "lab/settle/seed_steppers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // How fast two flights part: made-up growth, a cloth that does not part, one that does.
-#include "lab/sensitivity.h"
+#include "lab/sensitivity/sensitivity.h"
 
 #include <gtest/gtest.h>
 

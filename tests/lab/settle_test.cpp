@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "io/scene_json.h"
-#include "lab/settle_parts.h"
-#include "lab/test_problems.h"
+#include "lab/order/test_problems.h"
+#include "lab/settle/settle_parts.h"
 #include "support/cloth_scenes.h"
 #include "weft/integrators.h"
 

@@ -1,6 +1,6 @@
 // The Ritz values of a cloth against dense eigenvalues, and the regions that they are drawn on
 // against closed forms.
-#include "lab/spectrum.h"
+#include "lab/stability/spectrum.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lab/stability_region.h"
+#include "lab/stability/stability_region.h"
 #include "support/cloth_scenes.h"
 #include "support/dense_modes.h"
 #include "weft/integrators.h"

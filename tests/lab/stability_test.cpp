@@ -5,7 +5,7 @@
 #include <set>
 
 #include "lab/experiment.h"
-#include "lab/resting_cloth.h"
+#include "lab/stability/resting_cloth.h"
 #include "support/cloth_scenes.h"
 #include "support/mesh_scenes.h"
 #include "support/temporary_study.h"

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "lab/experiment.h"
-#include "lab/pareto.h"
-#include "lab/work_flights.h"
-#include "lab/work_scenes.h"
+#include "lab/work_precision/pareto.h"
+#include "lab/work_precision/work_flights.h"
+#include "lab/work_precision/work_scenes.h"
 #include "support/cloth_scenes.h"
 #include "support/temporary_study.h"
 #include "weft/integrators.h"

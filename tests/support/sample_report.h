@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "io/video_encoder.h"
-#include "lab/report.h"
+#include "lab/report/report.h"
 #include "render/image.h"
 #include "weft/integrators.h"
 

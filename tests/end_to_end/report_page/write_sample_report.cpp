@@ -5,7 +5,7 @@
 #include <exception>
 #include <filesystem>
 
-#include "lab/report.h"
+#include "lab/report/report.h"
 #include "support/sample_report.h"
 
 int main(int argument_count, char** arguments) {
