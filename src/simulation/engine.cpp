@@ -18,8 +18,7 @@ namespace weft {
 
 namespace {
 
-constexpr int max_halvings = 12;          // of the step, over a run
-constexpr int max_implicit_halvings = 6;  // in a frame, without being asked
+constexpr int max_halvings = 12;  // of the step, over a run; of implicit ones in a frame
 constexpr std::size_t frames_between_estimates = 8;
 constexpr int products_per_estimate = 2;
 
@@ -320,13 +319,12 @@ void ClothEngine<Real>::state_changed() {
 }
 
 // An implicit step that cannot be solved, or leads nowhere, is not too long for the cloth but for
-// this one moment: it is shortened for the frame alone, and at first without being asked.
+// this one moment: it is shortened for the frame alone.
 template <typename Real>
 bool ClothEngine<Real>::may_halve(int in_frame) const {
     const bool asked = is_auto() || scene_.integrator.on_divergence == OnDivergence::halve_step;
-    if (kind() == IntegratorKind::implicit)
-        return in_frame < (asked ? max_halvings : max_implicit_halvings);
-    return asked && halvings_ < max_halvings && kind() != IntegratorKind::adaptive;
+    if (!asked || kind() == IntegratorKind::adaptive) return false;
+    return (kind() == IntegratorKind::implicit ? in_frame : halvings_) < max_halvings;
 }
 
 template <typename Real>

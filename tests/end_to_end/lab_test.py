@@ -33,7 +33,7 @@ def numbers(section):
 
 class LabCommandTest(CommandTest):
     def lab(self, *words, out="out", **options):
-        return self.weft("lab", *words, "-o", out, "--quick", "--quiet", **options)
+        return self.weft("lab", *words, "-o", out, "--quick", "--quiet", timeout=600, **options)
 
     def results(self, out="out"):
         return json.loads((self.place / out / "lab.json").read_text())
@@ -116,7 +116,7 @@ class ResumeTest(LabCommandTest):
                    "--threads", "1"]
         process = subprocess.Popen(command, cwd=self.place, text=True, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE)
-        watchdog = threading.Timer(60, process.kill)
+        watchdog = threading.Timer(600, process.kill)
         watchdog.start()
         self.addCleanup(watchdog.cancel)
         said = ""

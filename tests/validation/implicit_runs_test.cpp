@@ -34,6 +34,9 @@ SceneDescription in_long_steps(const std::string& name, std::string_view method)
     const double step = 100.0 * Simulation(scene).stable_step("velocity-verlet");
     scene.integrator.method = std::string(method);
     scene.integrator.time_step = step;
+    // Its single solve on a sheet that falls flat for two seconds a step tears it: see
+    // docs/methods.md. All others are left no way out.
+    if (method == "baraff-witkin") scene.integrator.on_divergence = OnDivergence::halve_step;
     scene.output.frames_per_second = 1.0 / step;
     return scene;
 }
@@ -62,9 +65,7 @@ TEST_P(Unconditional, StaysFinite) {
         shortened += report.halvings > 0 ? 1 : 0;
     }
     EXPECT_LT(std::abs(simulation.largest_strain().strain), bound(name, method));
-    // Nearly all steps are made as long as asked for. Of baraff-witkin's single solve on a sheet
-    // that falls flat for two seconds a step the first are not: see docs/methods.md.
-    EXPECT_LE(shortened, method == "baraff-witkin" ? 30 : 6);
+    EXPECT_LE(shortened, method == "baraff-witkin" ? 30 : 0);
     RecordProperty("frames_in_shorter_steps", shortened);
 }
 
