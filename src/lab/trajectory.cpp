@@ -97,14 +97,18 @@ Flight fly(Specimen& specimen, const FlightPlan& plan, const ParticleState<doubl
     return flight;
 }
 
-double rms_distance(const ClothModel& cloth, const ParticleState<double>& a,
-                    const ParticleState<double>& b) {
+double rms_difference(const ClothModel& cloth, ConstVec3View<double> a, ConstVec3View<double> b) {
     double squared = 0.0;
     cloth.layout.for_each([&](std::size_t, std::size_t slot) {
-        const Vec3d apart = a.x[slot] - b.x[slot];
+        const Vec3d apart = a[slot] - b[slot];
         squared += dot(apart, apart);
     });
     return std::sqrt(squared / static_cast<double>(cloth.particle_count));
+}
+
+double rms_distance(const ClothModel& cloth, const ParticleState<double>& a,
+                    const ParticleState<double>& b) {
+    return rms_difference(cloth, a.x.view(), b.x.view());
 }
 
 nlohmann::json state_to_json(const ClothModel& cloth, const ParticleState<double>& state) {

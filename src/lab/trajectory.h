@@ -74,7 +74,9 @@ using Look = std::function<bool(std::size_t step, const ParticleState<double>& s
 Flight fly(Specimen& specimen, const FlightPlan& plan, const ParticleState<double>& start,
            const Watch& watch, const Look& look = {});
 
-/// Root mean square over the particles of the distance between two states' positions [m].
+/// Root mean square over the particles of |a - b|, of arrays [slot].
+double rms_difference(const ClothModel& cloth, ConstVec3View<double> a, ConstVec3View<double> b);
+/// Of two states' positions [m].
 double rms_distance(const ClothModel& cloth, const ParticleState<double>& a,
                     const ParticleState<double>& b);
 

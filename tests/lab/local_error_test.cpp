@@ -8,6 +8,7 @@
 #include "lab/scene_stretch.h"
 #include "lab/seed_sheet.h"
 #include "support/cloth_scenes.h"
+#include "support/sections.h"
 #include "support/temporary_study.h"
 #include "weft/integrators.h"
 
@@ -15,24 +16,16 @@ namespace weft::lab {
 namespace {
 
 using test::bare_sheet;
+using test::no_watch;
 using test::quick_study;
+using test::table_of;
 using test::TemporaryStudy;
-
-const Watch no_watch = [] {};
 
 SceneDescription swinging_sheet() {
     SceneDescription scene = bare_sheet(5, 4);
     scene.forces.gravity = {0.0, -9.81, 2.0};
     scene.pins = {{EdgeSelection::top_left, {}}};
     return scene;
-}
-
-const Table& table_of(const Section& section, const std::string& id) {
-    for (const Block& block : section.blocks) {
-        const Table* table = std::get_if<Table>(&block);
-        if (table != nullptr && table->id == id) return *table;
-    }
-    throw std::out_of_range(id);
 }
 
 TEST(LocalErrorExperiment, ShowsOneOrderMoreForEveryMethod) {

@@ -6,6 +6,7 @@
 
 #include "lab/look/look_show.h"
 #include "support/cloth_scenes.h"
+#include "support/temporary_study.h"
 #include "weft/error.h"
 #include "weft/integrators.h"
 #include "weft/simulation.h"
@@ -13,9 +14,9 @@
 namespace weft::lab {
 namespace {
 
-namespace fs = std::filesystem;
-const Watch nobody = [] {};
+using test::no_watch;
 
+namespace fs = std::filesystem;
 SceneDescription swinging_sheet() {
     SceneDescription scene = test::bare_sheet(6, 5);
     scene.forces.gravity = {0.0, -9.81, 2.0};
@@ -54,7 +55,8 @@ TEST(LookFlight, KeepsWhatASimulationShows) {
     const SceneDescription scene = swinging_sheet();
     Specimen specimen(scene);
     const LookPlan plan{"velocity-verlet", 1.0 / 32, 16, {0, 3, 8}};
-    const LookFlight flight = look_flight_from_json(to_json(fly_for_look(specimen, plan, nobody)));
+    const LookFlight flight =
+        look_flight_from_json(to_json(fly_for_look(specimen, plan, no_watch)));
     ASSERT_EQ(flight.shapes.size(), 3u);
     EXPECT_FALSE(flight.failed);
     Simulation simulation(scene);
@@ -73,7 +75,8 @@ TEST(LookFlight, KeepsWhatASimulationShows) {
 TEST(LookFlight, EndsWhereItBlowsUpWithTheLastShapeThatWasACloth) {
     Specimen specimen(swinging_sheet());
     const LookPlan plan{"forward-euler", 1.0 / 32, 2, {0, 1, 100, 1000}};
-    const LookFlight flight = look_flight_from_json(to_json(fly_for_look(specimen, plan, nobody)));
+    const LookFlight flight =
+        look_flight_from_json(to_json(fly_for_look(specimen, plan, no_watch)));
     ASSERT_TRUE(flight.failed);
     EXPECT_EQ(flight.failure, blown_up);
     EXPECT_LT(flight.shapes.size(), 4u);

@@ -11,16 +11,17 @@
 #include "lab/order/test_problems.h"
 #include "support/cloth_scenes.h"
 #include "support/sanitized.h"
+#include "support/sections.h"
 #include "support/temporary_study.h"
 
 namespace weft::lab {
 namespace {
 
 using test::bare_sheet;
+using test::no_watch;
 using test::quick_study;
+using test::table_of;
 using test::TemporaryStudy;
-
-const Watch no_watch = [] {};
 
 // error = factor step^order at 2^-first ... 2^-last
 std::vector<ErrorAtStep> power_law(double factor, double order, int first, int last) {
@@ -135,14 +136,6 @@ SceneDescription small_scene() {
     scene.forces.gravity = {0.0, -9.81, 2.0};
     scene.pins = {{EdgeSelection::top_left, {}}};
     return scene;
-}
-
-const Table& table_of(const Section& section, const std::string& id) {
-    for (const Block& block : section.blocks) {
-        const Table* table = std::get_if<Table>(&block);
-        if (table != nullptr && table->id == id) return *table;
-    }
-    throw std::out_of_range(id);
 }
 
 // One of each kind where all would take too long.

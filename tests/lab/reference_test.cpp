@@ -10,14 +10,14 @@
 #include "lab/order/test_problems.h"
 #include "support/cloth_scenes.h"
 #include "support/cvode.h"
+#include "support/temporary_study.h"
 
 namespace weft::lab {
 namespace {
 
 using test::bare_sheet;
+using test::no_watch;
 using test::Values;
-
-const Watch no_watch = [] {};
 
 TEST(Reference, FollowsTheHangingMassesToTheLastDigits) {
     Specimen specimen(hanging_masses());

@@ -13,10 +13,9 @@ namespace weft::lab {
 namespace {
 
 using test::bare_sheet;
+using test::no_watch;
 using test::quick_study;
 using test::TemporaryStudy;
-
-const Watch no_watch = [] {};
 
 // Held flat at two corners, it falls, folds and flaps.
 SceneDescription falling_sheet() {

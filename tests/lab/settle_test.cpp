@@ -9,14 +9,15 @@
 #include "lab/order/test_problems.h"
 #include "lab/settle/settle_parts.h"
 #include "support/cloth_scenes.h"
+#include "support/temporary_study.h"
 #include "weft/integrators.h"
 
 namespace weft::lab {
 namespace {
 
-namespace fs = std::filesystem;
-const Watch nobody = [] {};
+using test::no_watch;
 
+namespace fs = std::filesystem;
 RestRun wrecked_at(std::optional<double> time) {
     RestRun run;
     run.blow_up = time;
@@ -56,7 +57,7 @@ TEST(RestRun, RestIsWhenTheKineticEnergyStaysSmall) {
     plan.method = "rk4";
     plan.time_step = 0.01;
     plan.duration = 20.0;
-    const RestRun run = run_to_rest(specimen, plan, nobody);
+    const RestRun run = run_to_rest(specimen, plan, no_watch);
     ASSERT_TRUE(run.rest);
     EXPECT_NEAR(*run.rest, std::log(1000.0), 0.7);
     EXPECT_FALSE(run.wrecked());
@@ -71,7 +72,7 @@ TEST(RestRun, WhatIsNotDampedDoesNotRest) {
     plan.method = "rk4";
     plan.time_step = 0.01;
     plan.duration = 20.0;
-    const RestRun run = run_to_rest(specimen, plan, nobody);
+    const RestRun run = run_to_rest(specimen, plan, no_watch);
     EXPECT_FALSE(run.rest);
     EXPECT_FALSE(run.wrecked());
 }
@@ -86,7 +87,7 @@ TEST(RestRun, EnergyOutOfNothingComesBeforeTheBlowUp) {
     plan.time_step = 0.01;
     plan.duration = 100.0;
     plan.released = swing;
-    const RestRun run = run_to_rest(specimen, plan, nobody);
+    const RestRun run = run_to_rest(specimen, plan, no_watch);
     ASSERT_TRUE(run.gain && run.blow_up);
     EXPECT_NEAR(*run.gain, 2.78, 0.05);
     EXPECT_GT(*run.blow_up, *run.gain);

@@ -8,6 +8,7 @@
 #include "lab/stability/resting_cloth.h"
 #include "support/cloth_scenes.h"
 #include "support/mesh_scenes.h"
+#include "support/sections.h"
 #include "support/temporary_study.h"
 #include "weft/integrators.h"
 
@@ -16,10 +17,10 @@ namespace {
 
 using test::add_dashpots;
 using test::bare_sheet;
+using test::no_watch;
 using test::quick_study;
+using test::table_of;
 using test::TemporaryStudy;
-
-const Watch no_watch = [] {};
 
 // Predicted and observed limits within 0.5 % for every explicit method that has one.
 void expect_limits_as_predicted(const SceneDescription& scene) {
@@ -89,14 +90,6 @@ TEST(RestingCloth, DoesNotTakeDriftForGrowth) {
     const Growth growth = cloth.fly("velocity-verlet", step, 20'000, no_watch);
     EXPECT_NEAR(growth.total, 0.0, 0.2);
     EXPECT_NEAR(growth.rate, 0.0, 1e-6);
-}
-
-const Table& table_of(const Section& section, const std::string& id) {
-    for (const Block& block : section.blocks) {
-        const auto* table = std::get_if<Table>(&block);
-        if (table != nullptr && table->id == id) return *table;
-    }
-    throw std::out_of_range(id);
 }
 
 SceneDescription hanging_sheet() {

@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "support/cloth_scenes.h"
+#include "support/temporary_study.h"
 #include "weft/simulation.h"
 
 namespace weft::lab {
 namespace {
 
-const Watch nobody = [] {};
+using test::no_watch;
 
 SceneDescription swinging_sheet(std::string_view method) {
     SceneDescription scene = test::bare_sheet(6, 5);
@@ -30,7 +31,7 @@ TEST(Trajectory, IsTheSimulationsToTheBit) {
         simulation.capture(frame);
         Specimen specimen(scene);
         const Flight flight =
-            fly(specimen, {method, 1.0 / 512, 128, {}, {}}, specimen.start(), nobody);
+            fly(specimen, {method, 1.0 / 512, 128, {}, {}}, specimen.start(), no_watch);
         ASSERT_TRUE(flight.ok()) << flight.failure;
         EXPECT_EQ(flight.state.time, simulation.time());
         for (std::size_t p = 0; p < specimen.particle_count(); ++p) {
@@ -47,7 +48,7 @@ TEST(Trajectory, EndsWhereItBlowsUpAndSaysWhy) {
     ParticleState<double> start = specimen.start();
     test::disturb(specimen.cloth(), start.x, 1e-3, 1);
     const Flight flight =
-        fly(specimen, {"velocity-verlet", 1.5 * limit, 2000, {}, {}}, start, nobody);
+        fly(specimen, {"velocity-verlet", 1.5 * limit, 2000, {}, {}}, start, no_watch);
     EXPECT_FALSE(flight.ok());
     EXPECT_LT(flight.steps, 200u);
     EXPECT_NE(flight.failure.find("velocity-verlet diverged in step"), std::string::npos);
@@ -55,7 +56,7 @@ TEST(Trajectory, EndsWhereItBlowsUpAndSaysWhy) {
 
 TEST(Trajectory, ALookMayEndIt) {
     Specimen specimen(swinging_sheet("rk4"));
-    const Flight flight = fly(specimen, {"rk4", 1e-3, 100, {}, {}}, specimen.start(), nobody,
+    const Flight flight = fly(specimen, {"rk4", 1e-3, 100, {}, {}}, specimen.start(), no_watch,
                               [](std::size_t step, const auto&) { return step < 7; });
     EXPECT_TRUE(flight.ok());
     EXPECT_EQ(flight.steps, 7u);
@@ -65,7 +66,7 @@ TEST(Trajectory, ALookMayEndIt) {
 TEST(Trajectory, CountsWhatImplicitStepsTook) {
     Specimen specimen(swinging_sheet("implicit-euler"));
     const Flight flight =
-        fly(specimen, {"implicit-euler", 1e-2, 5, {}, {}}, specimen.start(), nobody);
+        fly(specimen, {"implicit-euler", 1e-2, 5, {}, {}}, specimen.start(), no_watch);
     ASSERT_TRUE(flight.ok()) << flight.failure;
     EXPECT_GE(flight.counts.newton_iterations, 5u);
     EXPECT_GT(flight.counts.evaluations, 5u);
@@ -74,7 +75,7 @@ TEST(Trajectory, CountsWhatImplicitStepsTook) {
 TEST(Trajectory, StatesPassThroughJsonWithoutLoss) {
     Specimen specimen(swinging_sheet("rk4"));
     const ParticleState<double> state =
-        fly(specimen, {"rk4", 1e-3, 50, {}, {}}, specimen.start(), nobody).state;
+        fly(specimen, {"rk4", 1e-3, 50, {}, {}}, specimen.start(), no_watch).state;
     const ParticleState<double> back = state_from_json(
         specimen.cloth(), nlohmann::json::parse(state_to_json(specimen.cloth(), state).dump()));
     EXPECT_EQ(back.time, state.time);

@@ -15,10 +15,9 @@ namespace weft::lab {
 namespace {
 
 using test::bare_sheet;
+using test::no_watch;
 using test::quick_study;
 using test::TemporaryStudy;
-
-const Watch no_watch = [] {};
 
 SceneDescription swinging_sheet() {
     SceneDescription scene = bare_sheet(5, 4);

@@ -13,6 +13,9 @@
 
 namespace weft::test {
 
+/// Of flights that nobody interrupts.
+inline const lab::Watch no_watch = [] {};
+
 /// A quick study of some methods; none: of all.
 inline lab::LabOptions quick_study(std::vector<std::string> methods = {}, int threads = 2) {
     lab::LabOptions options;

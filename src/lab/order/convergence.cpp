@@ -57,7 +57,7 @@ Errors measure_errors(Specimen& specimen, std::string_view method, const KnownEn
         Errors::Point point{steps, step, 0.0, 0.0, flight.failure};
         if (flight.ok()) {
             point.x = rms_distance(specimen.cloth(), flight.state, problem.end);
-            point.v = rms_speed_difference(specimen.cloth(), flight.state, problem.end);
+            point.v = rms_difference(specimen.cloth(), flight.state.v.view(), problem.end.v.view());
         } else {
             point.x = point.v = std::numeric_limits<double>::infinity();
         }
@@ -91,16 +91,6 @@ Errors errors_from_json(const nlohmann::json& json) {
                                  row.value("failure", "")});
     }
     return errors;
-}
-
-double rms_speed_difference(const ClothModel& cloth, const ParticleState<double>& a,
-                            const ParticleState<double>& b) {
-    double squared = 0.0;
-    cloth.layout.for_each([&](std::size_t, std::size_t slot) {
-        const Vec3d apart = a.v[slot] - b.v[slot];
-        squared += dot(apart, apart);
-    });
-    return std::sqrt(squared / static_cast<double>(cloth.particle_count));
 }
 
 }  // namespace weft::lab

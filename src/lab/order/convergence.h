@@ -56,8 +56,4 @@ Errors measure_errors(Specimen& specimen, std::string_view method, const KnownEn
 nlohmann::json errors_to_json(const Errors& errors);
 Errors errors_from_json(const nlohmann::json& json);
 
-/// Root mean square over the particles of the distance between two states' velocities [m/s].
-double rms_speed_difference(const ClothModel& cloth, const ParticleState<double>& a,
-                            const ParticleState<double>& b);
-
 }  // namespace weft::lab

@@ -56,7 +56,7 @@ nlohmann::json flight_error(Specimen& specimen, const Row& row, const KnownEnd& 
         fly(specimen, exact_plan(row.method, seed_time_step, steps), known.start, watch);
     if (!flight.ok()) return {{"blew up", flight.state.time}};
     return {{"x", rms_distance(specimen.cloth(), flight.state, known.end)},
-            {"v", rms_speed_difference(specimen.cloth(), flight.state, known.end)},
+            {"v", rms_difference(specimen.cloth(), flight.state.v.view(), known.end.v.view())},
             {"way", rms_distance(specimen.cloth(), known.start, known.end)}};
 }
 
