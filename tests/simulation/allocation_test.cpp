@@ -1,64 +1,13 @@
 // A step allocates nothing: operator new is replaced by one that counts.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
 #include <new>
 
+#include "counted_allocations.h"
 #include "support/cloth_scenes.h"
 #include "support/methods.h"
 #include "weft/integrators.h"
 #include "weft/simulation.h"
-
-namespace {
-std::atomic<bool> counting = false;
-std::atomic<long> allocations = 0;
-
-void* count_and_allocate(std::size_t size, std::size_t alignment) {
-    if (counting) ++allocations;
-    const std::size_t whole = (size + alignment - 1) / alignment * alignment;
-    void* memory = std::aligned_alloc(alignment, whole > 0 ? whole : alignment);
-    if (memory == nullptr) throw std::bad_alloc();
-    return memory;
-}
-}  // namespace
-
-void* operator new(std::size_t size) {
-    return count_and_allocate(size, alignof(std::max_align_t));
-}
-void* operator new[](std::size_t size) {
-    return count_and_allocate(size, alignof(std::max_align_t));
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-    return count_and_allocate(size, static_cast<std::size_t>(alignment));
-}
-void* operator new[](std::size_t size, std::align_val_t alignment) {
-    return count_and_allocate(size, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::align_val_t) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
-    std::free(memory);
-}
 
 namespace weft::test {
 namespace {
@@ -66,11 +15,10 @@ namespace {
 // Of the frames after the first.
 long allocations_of_frames(Simulation& simulation, int frames) {
     EXPECT_TRUE(simulation.advance_frame().ok());
-    allocations = 0;
-    counting = true;
     bool ok = true;
+    start_counting_allocations();
     for (int n = 0; n < frames; ++n) ok = simulation.advance_frame().ok() && ok;
-    counting = false;
+    const long allocations = stop_counting_allocations();
     EXPECT_TRUE(ok);
     return allocations;
 }
@@ -88,12 +36,10 @@ SceneDescription small_flag(bool mesh, Precision precision) {
 }
 
 TEST(Allocation, IsSeenByTheCounter) {
-    counting = true;
-    allocations = 0;
+    start_counting_allocations();
     ::operator delete(::operator new(8));  // as a call, which no compiler may leave out
     { const Vec3Array<float> array(10); }
-    counting = false;
-    EXPECT_EQ(allocations, 2);
+    EXPECT_EQ(stop_counting_allocations(), 2);
 }
 
 TEST(Allocation, IsNoneInTheStepsOfAnyMethod) {
