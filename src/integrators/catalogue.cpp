@@ -72,7 +72,7 @@ constexpr std::array<IntegratorInfo, 22> infos{{
     {"sdirk2", 2, 2, 0, false, any, implicit, 1.0 / 120,
      "two implicit stages of 1 - 1/sqrt 2 of the step",
      "Alexander (1977) SIAM J. Numer. Anal. 14, 1006"},
-    {"baraff-witkin", 1, 1, 1, false, any, implicit, 1.0 / 60,
+    {"baraff-witkin", 1, 1, 0, false, any, implicit, 1.0 / 60,
      "one Newton iteration of implicit-euler, from x + dt v: one linear solve",
      "Baraff, Witkin (1998) Large steps in cloth simulation, SIGGRAPH"},
     {"projective-dynamics", 1, 1, 0, false, any, by_springs, 1.0 / 60,

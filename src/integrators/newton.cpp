@@ -156,12 +156,12 @@ NewtonReport NewtonSolver::solve_once(ImplicitSystem& system, const ImplicitStag
     evaluate(system, stage, x.view(), v.view());
     ++report_.iterations;
     system.linearise(stage.t, 1.0 / stage.tau, std::as_const(x).view(), std::as_const(v).view());
-    find_direction(system, single_forcing);
-    move(x.view(), 1.0, std::as_const(d_).view(), x.view());
-    set_velocity(system, stage, x.view(), v.view());
-    report_.displacement = longest(d_);
+    const double slope = find_direction(system, single_forcing);
+    if (!(slope > 0.0) || !std::isfinite(slope)) return report_;
+    const double fraction = move_along(system, stage, slope, x, v);
+    report_.displacement = fraction * longest(d_);
     report_.residual = longest(b_);
-    report_.converged = report_.linear_converged && std::isfinite(report_.displacement);
+    report_.converged = report_.linear_converged && fraction > 0.0;
     return report_;
 }
 

@@ -57,8 +57,9 @@ public:
     NewtonReport solve(ImplicitSystem& system, const ImplicitStage& stage,
                        const NewtonLimits& limits, Vec3Array<double>& x, Vec3Array<double>& v);
 
-    /// One linear solve, without looking at the forces again (Baraff, Witkin 1998; they linearise
-    /// at x0, we at the guess: from x0 + tau v0 a difference of second order).
+    /// One linear solve (Baraff, Witkin 1998; they linearise at x0, we at the guess: from
+    /// x0 + tau v0 a difference of second order). x moves by less where that overshoots, as in
+    /// solve(); they take it whole, and shorten the step where it tears the cloth.
     NewtonReport solve_once(ImplicitSystem& system, const ImplicitStage& stage,
                             Vec3Array<double>& x, Vec3Array<double>& v);
 

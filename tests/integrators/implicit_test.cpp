@@ -208,7 +208,7 @@ TEST(BaraffWitkin, SolvesOneLinearSystemAStep) {
     ParticleState<double> state = state_of(pendulum_start);
     ASSERT_TRUE(integrator->step(pendulum, h, state).ok());
     EXPECT_EQ(integrator->counts().newton_iterations, 1u);
-    EXPECT_EQ(pendulum.evaluations, 1);
+    EXPECT_EQ(pendulum.evaluations, 2);  // at the guess, and whether it overshot
     // (1 + h^2 K) d = h^2 f(x + h v), K = 25 (n n^T + (1 - 1/r) (1 - n n^T)), stretched.
     const Vec3d guess = x + h * v, d = state.x[0] - guess;
     const double r = length(guess);
@@ -216,6 +216,23 @@ TEST(BaraffWitkin, SolvesOneLinearSystemAStep) {
     const Vec3d kd = 25.0 * (dot(n, d) * n + (1.0 - 1.0 / r) * (d - dot(n, d) * n));
     EXPECT_LT(length(d + h * h * kd - h * h * pendulum.acceleration(0.0, guess, {})), 1e-15);
     EXPECT_LT(length(state.v[0] - (state.x[0] - x) / h), 1e-13);
+}
+
+// A spring that lies level at rest length resists nothing across: its one linear solve falls by
+// h^2 g, 39 m, which stretches it to 39 times its length.
+TEST(BaraffWitkin, ShortensASolutionThatOvershoots) {
+    SpringPendulum pendulum(Pendulum::free);
+    const auto integrator = make_integrator<double>("baraff-witkin");
+    integrator->prepare(pendulum);
+    const double h = 2.0;
+    ParticleState<double> state = state_of({{1.0, 0.0, 0.0}, {}});
+    ASSERT_TRUE(integrator->step(pendulum, h, state).ok());
+    EXPECT_EQ(integrator->counts().newton_iterations, 1u);
+    const Vec3d x = state.x[0];
+    EXPECT_LT(x.y, -0.1);
+    EXPECT_GT(x.y, -3.0);
+    // Across, the unbalanced force points back by half of what it pointed forward at most.
+    EXPECT_LE(pendulum.acceleration(h, x, {}).y - x.y / (h * h), 0.5 * 9.81);
 }
 
 TEST(ImplicitCounts, AreOfEveryIteration) {
