@@ -2,7 +2,7 @@
 """Fails on an include that points up the layers of src/.
 
 Dependencies flow one way (docs/architecture.md):
-    public data < math < cloth < forces < integrators < simulation < render < io < lab < apps
+    public data < math < cloth < forces < contact < integrators < simulation < render < io < lab < apps
 Headers of include/weft belong to the layer that implements them; those that are data alone belong
 below all.
 """
@@ -11,8 +11,8 @@ import pathlib
 import re
 import sys
 
-LAYERS = ["data", "math", "cloth", "forces", "integrators", "simulation", "render", "io", "lab",
-          "apps"]
+LAYERS = ["data", "math", "cloth", "forces", "contact", "integrators", "simulation", "render", "io",
+          "lab", "apps"]
 PUBLIC = {
     "vec3.h": "data", "error.h": "data", "scene.h": "data", "frame.h": "data",
     "measures.h": "data", "recorder.h": "data", "version.h": "data", "instruction_set.h": "data",

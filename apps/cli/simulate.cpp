@@ -98,6 +98,7 @@ RecordingPlan recording_plan(const Simulation& simulation, const std::filesystem
     plan.frames_per_second = scene.output.frames_per_second;
     plan.precision = scene.integrator.precision;
     plan.render = scene.render;
+    plan.obstacles = scene.obstacles;
     return plan;
 }
 

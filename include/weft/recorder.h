@@ -23,6 +23,7 @@ struct RecordingPlan {
     double frames_per_second = 30.0;
     Precision precision = Precision::f32;  ///< of the run
     RenderDescription render;
+    std::vector<ObstacleDescription> obstacles{};  ///< drawn in pictures
 };
 
 /// Takes frames in order. Files stand under temporary names until finish() renames them; a recorder

@@ -46,6 +46,7 @@ struct GridDescription {
     std::array<int, 2> resolution{61, 41};  ///< columns, rows; at least 2 each
     Plane plane = Plane::xy;
     Vec3d origin{0.0, 2.0, 0.0};  ///< of particle (0, 0) [m]
+    friend bool operator==(const GridDescription&, const GridDescription&) = default;
 };
 
 /// A polygon mesh as a file has it: vertices may be doubled along texture seams.
@@ -68,6 +69,7 @@ struct ClothDescription {
     GridDescription grid;
     std::string mesh_path;             ///< as read, resolved; empty: the grid is used
     std::shared_ptr<const Mesh> mesh;  ///< null: the grid is used
+    friend bool operator==(const ClothDescription&, const ClothDescription&) = default;
 };
 
 /// Stiffness and dashpot of one kind of spring. Per spring: [N/m] and [N s/m]. Per width: the
@@ -75,6 +77,7 @@ struct ClothDescription {
 struct SpringMaterial {
     double stiffness = 0.0;
     double damping = 0.0;
+    friend bool operator==(const SpringMaterial&, const SpringMaterial&) = default;
 };
 
 struct MaterialDescription {
@@ -86,6 +89,7 @@ struct MaterialDescription {
     SpringMaterial shear{40.0, 0.004};
     SpringMaterial bend{10.0, 0.001};
     BendLayout bend_layout = BendLayout::interior;
+    friend bool operator==(const MaterialDescription&, const MaterialDescription&) = default;
 };
 
 /// A fabric preset: a row of `weft list fabrics`.
@@ -99,13 +103,16 @@ std::span<const FabricInfo> fabric_catalogue();
 
 struct ParticleSelection {
     std::vector<std::size_t> particles;
+    friend bool operator==(const ParticleSelection&, const ParticleSelection&) = default;
 };
 struct EverySelection {
     std::size_t every;
     EdgeSelection of;
+    friend bool operator==(const EverySelection&, const EverySelection&) = default;
 };
 struct BoxSelection {
     Vec3d low, high;
+    friend bool operator==(const BoxSelection&, const BoxSelection&) = default;
 };  ///< rest positions inside, borders included [m]
 using PinSelector = std::variant<EdgeSelection, ParticleSelection, EverySelection, BoxSelection>;
 
@@ -114,16 +121,52 @@ using PinSelector = std::variant<EdgeSelection, ParticleSelection, EverySelectio
 struct PinKeyframe {
     double time = 0.0;  ///< [s], strictly rising
     Vec3d offset{};     ///< from the rest position [m]
+    friend bool operator==(const PinKeyframe&, const PinKeyframe&) = default;
 };
 
 struct PinDescription {
     PinSelector select = EdgeSelection::left_edge;
     std::vector<PinKeyframe> motion;  ///< empty: does not move
+    friend bool operator==(const PinDescription&, const PinDescription&) = default;
+};
+
+/// What the cloth cannot enter, and rests on.
+struct SphereObstacle {
+    Vec3d centre{0.0, 0.5, 0.0};  ///< [m]
+    double radius = 0.25;         ///< [m]
+    friend bool operator==(const SphereObstacle&, const SphereObstacle&) = default;
+};
+/// A half-space; the cloth stays on the side its normal points to.
+struct PlaneObstacle {
+    Vec3d point{};                ///< any of the plane [m]
+    Vec3d normal{0.0, 1.0, 0.0};  ///< of any length but 0
+    friend bool operator==(const PlaneObstacle&, const PlaneObstacle&) = default;
+};
+struct ObstacleDescription {
+    std::variant<SphereObstacle, PlaneObstacle> shape;
+    double friction = 0.4;  ///< Coulomb's coefficient, of rest and of sliding
+    double gap = 0.005;     ///< that particles keep from its surface [m]
+    friend bool operator==(const ObstacleDescription&, const ObstacleDescription&) = default;
+};
+
+/// A moment of a cloth's motion.
+struct ClothState {
+    std::vector<Vec3d> positions, velocities;  ///< [particle], [m], [m/s]
+    friend bool operator==(const ClothState&, const ClothState&) = default;
+};
+
+/// What a run begins with, where that is not the cloth's rest state at time 0.
+struct StartDescription {
+    std::string state_path;                   ///< as read, resolved; empty: the rest state
+    std::shared_ptr<const ClothState> state;  ///< null: the rest state
+    double time = 0.0;                        ///< of frame 0 [s]
+    friend bool operator==(const StartDescription&, const StartDescription&) = default;
 };
 
 struct ForcesDescription {
     Vec3d gravity{0.0, -9.81, 0.0};  ///< [m/s2]
     double damping = 0.0;            ///< drag c of every particle, f = -c v [kg/s]
+    friend bool operator==(const ForcesDescription&, const ForcesDescription&) = default;
 };
 
 struct GustDescription {
@@ -131,6 +174,7 @@ struct GustDescription {
     double spread = 0.5;   ///< factor in [1 - spread, 1 + spread]
     double period = 0.25;  ///< between two draws [s]
     std::uint64_t seed = 7;
+    friend bool operator==(const GustDescription&, const GustDescription&) = default;
 };
 
 struct WindDescription {
@@ -139,6 +183,7 @@ struct WindDescription {
     double drag = 1.0;              ///< factor on the plate's normal force
     double skin_friction = 0.01;    ///< tangential coefficient C_f
     GustDescription gust;
+    friend bool operator==(const WindDescription&, const WindDescription&) = default;
 };
 
 struct IntegratorDescription {
@@ -151,6 +196,7 @@ struct IntegratorDescription {
     std::optional<int> iterations;  ///< most a step, of methods that iterate; none: "auto"
     LinearSolver linear_solver = LinearSolver::automatic;
     OnDivergence on_divergence = OnDivergence::stop;
+    friend bool operator==(const IntegratorDescription&, const IntegratorDescription&) = default;
 };
 
 struct OutputDescription {
@@ -179,6 +225,8 @@ struct SceneDescription {
     ClothDescription cloth;
     MaterialDescription material;
     std::vector<PinDescription> pins{PinDescription{}};
+    std::vector<ObstacleDescription> obstacles;
+    StartDescription start;
     ForcesDescription forces;
     std::optional<WindDescription> wind{WindDescription{}};
     IntegratorDescription integrator;
@@ -205,6 +253,15 @@ SceneDescription load_scene(const std::string& scene,
 /// The same from text; `file` is used in messages, and relative paths are resolved against it.
 SceneDescription parse_scene(std::string_view text, const std::string& file,
                              std::span<const SceneOverride> overrides = {});
+
+/// The scene as a file that load_scene() reads back as the same scene, every key that counts with
+/// its unit. What scene.start holds goes into NAME.start.npy beside it; paths are written relative
+/// to it where they lead from there. An existing file is replaced once the new one is whole.
+/// @return the files written, the scene's first.
+/// @throws Error (usage) as check_scene(), and for what no scene file can hold: a mesh that is in
+///         no file, a path that is not UTF-8. Error (file).
+std::vector<std::filesystem::path> save_scene(const SceneDescription& scene,
+                                              const std::filesystem::path& file);
 
 /// A shipped scene: a row of `weft list scenes`.
 struct ShippedScene {

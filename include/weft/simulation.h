@@ -53,6 +53,16 @@ struct SettleReport {
     std::string message;             ///< all of it in one line
 };
 
+/// A spring between a particle and a point of space, as of a hand that holds the cloth. Stable at
+/// any stiffness and step: implicit methods have it in their equations, after the steps of others
+/// the particle is corrected implicitly. Pinned particles do not feel it.
+struct Grip {
+    std::size_t particle = 0;
+    Vec3d point{};           ///< [m]
+    double stiffness = 0.0;  ///< [N/m]
+    double damping = 0.0;    ///< against the particle's velocity [N s/m]
+};
+
 /// The scene's cloth linearised at its start.
 struct LinearAnalysis {
     double omega_max = 0.0;      ///< largest angular frequency [1/s]
@@ -123,9 +133,24 @@ public:
     ///         precision than the present; nothing has changed then.
     void set_integrator(const IntegratorDescription& integrator);
 
+    /// Goes on with an edited scene from the present positions, velocities and time: material,
+    /// forces, wind, pins, obstacles, integrator. Pinned particles go to where the new scene has
+    /// them. What is kept from earlier steps is forgotten where more than obstacles changed.
+    /// @throws Error (usage) as the constructor, and where cloth, start, frame rate or precision
+    ///         would become others than the present; nothing has changed then.
+    void change_scene(const SceneDescription& scene);
+
+    /// Replaces the grips that pull at the cloth; an empty list lets go. No part of the scene.
+    /// @throws Error (usage) for a particle that does not exist or a number that is not finite or
+    ///         negative.
+    void set_grips(std::span<const Grip> grips);
+    /// With which all grips together pull now [N].
+    [[nodiscard]] Vec3d grip_force() const;
+
     /// Moves the cloth to a state of rest near the present one, where the forces of gravity,
     /// springs and the wind at time() balance; velocities become zero.
-    /// On failure the state is as it was.
+    /// Grips pull; on failure the state is as it was.
+    /// @throws Error (usage) where the scene has obstacles: what rests on them is not found yet.
     SettleReport settle();
     /// What the last settle() came to, also the one of output.settle.
     [[nodiscard]] const std::optional<SettleReport>& settle_report() const;

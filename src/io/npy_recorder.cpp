@@ -5,28 +5,9 @@
 #include <fmt/format.h>
 
 #include "io/byte_order.h"
+#include "io/npy_format.h"
 
 namespace weft {
-
-namespace {
-
-/// A multiple of 64 with room for any shape.
-constexpr std::size_t head_size = 128;
-
-Bytes npy_head(std::string_view element, const std::string& shape) {
-    std::string text =
-        fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", element, shape);
-    constexpr std::size_t before_text = 10;
-    text.resize(head_size - before_text - 1, ' ');
-    text += '\n';
-    Bytes head;
-    append_text(head, std::string_view("\x93NUMPY\x01\x00", 8));
-    append_little(head, static_cast<std::uint16_t>(text.size()));
-    append_text(head, text);
-    return head;
-}
-
-}  // namespace
 
 void NpyRecorder::begin(const RecordingPlan& plan) {
     particles_ = plan.surface->particle_count;

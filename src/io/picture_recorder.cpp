@@ -28,7 +28,7 @@ public:
 
     void begin(const RecordingPlan& plan) override {
         stem_ = plan.stem;
-        renderer_.emplace(*plan.surface, plan.render);
+        renderer_.emplace(*plan.surface, plan.render, plan.obstacles);
         folder_.emplace(plan.directory / (plan.stem + ".png-frames"));
     }
 
@@ -60,7 +60,7 @@ public:
 
     void begin(const RecordingPlan& plan) override {
         path_ = plan.directory / fmt::format("{}.{}", plan.stem, format_);
-        renderer_.emplace(*plan.surface, plan.render);
+        renderer_.emplace(*plan.surface, plan.render, plan.obstacles);
         encoder_.emplace(path_, format_, plan.render.size, plan.frames_per_second);
     }
 
@@ -88,7 +88,7 @@ std::unique_ptr<Recorder> make_picture_recorder(std::string_view format) {
 void write_picture(const std::filesystem::path& path, const RecordingPlan& plan, const Frame& first,
                    const Frame& frame) {
     OutputFile file(path);  // first, since it may be refused and drawing takes long
-    OffScreenRenderer renderer(*plan.surface, plan.render);
+    OffScreenRenderer renderer(*plan.surface, plan.render, plan.obstacles);
     renderer.set_first_frame(first);
     write_png(file, renderer.draw(frame));
 }

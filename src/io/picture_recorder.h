@@ -16,8 +16,8 @@ namespace weft {
 std::unique_ptr<Recorder> make_picture_recorder(std::string_view format);
 
 /// Draws one frame into a PNG file.
-/// @param plan surface and render are read; @param first frame 0: it places mast, ground and
-/// camera.
+/// @param plan surface, render and obstacles are read; @param first frame 0: it places mast, ground
+/// and camera.
 /// @throws Error (file).
 void write_picture(const std::filesystem::path& path, const RecordingPlan& plan, const Frame& first,
                    const Frame& frame);

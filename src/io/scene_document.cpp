@@ -83,6 +83,21 @@ void drop_overridden(TomlValue* section, std::string_view key, std::string_view 
     if (value && rival && rival->place.source > value->place.source) remove(section, key);
 }
 
+/// Drops everything that an override has taken the place of.
+void drop_overridden(TomlValue& root) {
+    drop_overridden(root.find("material"), "mass_per_area", "particle_mass");
+    drop_overridden(root.find("material"), "particle_mass", "mass_per_area");
+    for (const std::string_view grid_key : {"size", "resolution", "plane", "origin"}) {
+        drop_overridden(root.find("cloth"), grid_key, "mesh");
+    }
+    TomlValue* obstacles = root.find("obstacles");
+    if (!obstacles || !obstacles->array()) return;
+    for (TomlValue& obstacle : *obstacles->array()) {
+        drop_overridden(&obstacle, "sphere", "plane");
+        drop_overridden(&obstacle, "plane", "sphere");
+    }
+}
+
 [[noreturn]] void refuse_override(const SceneDocument& document, const std::string& key,
                                   const std::string& message) {
     throw Error(ErrorKind::usage,
@@ -101,11 +116,7 @@ void apply_override(SceneDocument& document, const SceneOverride& override_text)
     if (!put(document.root, *steps, parse_toml_value(text, source))) {
         refuse_override(document, one_line(key), "the scene file has no value of this index");
     }
-    drop_overridden(document.root.find("material"), "mass_per_area", "particle_mass");
-    drop_overridden(document.root.find("material"), "particle_mass", "mass_per_area");
-    for (const std::string_view grid_key : {"size", "resolution", "plane", "origin"}) {
-        drop_overridden(document.root.find("cloth"), grid_key, "mesh");
-    }
+    drop_overridden(document.root);
 }
 
 void check_version(const SceneDocument& document) {

@@ -28,7 +28,8 @@ struct SceneDocument {
 
 /// Parses `text`, checks its version, and puts the overrides in place, a later one over an earlier
 /// one. An override of material.particle_mass takes the file's mass_per_area away, and the other
-/// way round; one of cloth.mesh takes the keys of the grid away.
+/// way round; one of cloth.mesh takes the keys of the grid away; one of an obstacle's sphere takes
+/// its plane away, and the other way round.
 /// @throws Error (usage), complete with its place.
 SceneDocument read_scene_document(std::string_view text, const std::string& file,
                                   std::span<const SceneOverride> overrides);

@@ -12,6 +12,7 @@
 #include "io/scene_document.h"
 #include "io/scene_limits.h"
 #include "io/scene_reader.h"
+#include "io/start_state_file.h"
 #include "io/text_file.h"
 #include "math/nearest_name.h"
 #include "math/quoting.h"
@@ -75,6 +76,18 @@ void load_mesh_of(SceneDescription& scene, const SceneDocument& document) {
     scene.cloth.mesh = std::make_shared<const Mesh>(load_mesh(path));
 }
 
+void load_start_of(SceneDescription& scene, const SceneDocument& document) {
+    const std::string key = "start.state";
+    const std::string written = scene.start.state_path;
+    const TomlValue* start = document.root.find("start");
+    if (!start || !start->find("state")) return;
+    if (written.empty()) throw scene_error(key, in_quotes(written), "path of a NumPy file");
+    const fs::path path = resolved(written, key, document);
+    require_readable(path, key, written, document);
+    scene.start.state_path = path.string();
+    scene.start.state = std::make_shared<const ClothState>(load_start_state(path));
+}
+
 void resolve_texture(SceneDescription& scene, const SceneDocument& document) {
     const std::string key = "render.texture";
     const std::string written = scene.render.texture;
@@ -134,6 +147,7 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
     try {
         SceneDescription scene = read_scene(document);
         load_mesh_of(scene, document);
+        load_start_of(scene, document);
         check_formats(scene.output.formats);
         resolve_texture(scene, document);
         check_scene(scene);

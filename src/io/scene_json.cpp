@@ -25,19 +25,23 @@ void put(Json& object, std::string_view key, Json value) {
 }  // namespace
 
 Json scene_to_json(const SceneDescription& scene) {
-    constexpr std::string_view pin_keys = "pins[].";
     SceneDescription copy = scene;  // the table's access is to what can be written
+    const auto applies = [&](const SceneKey& row, std::size_t index) {
+        return !row.applies || row.applies(scene, index);
+    };
     Json object = Json::object();
     for (const SceneKey& row : scene_keys()) {
-        if (row.applies && !row.applies(scene)) continue;
-        if (!row.key.starts_with(pin_keys)) {
-            put(object, row.key, scene_value_json(row, copy, 0));
+        const SceneList* list = list_of_scene_key(row.key);
+        if (!list) {
+            if (applies(row, 0)) put(object, row.key, scene_value_json(row, copy, 0));
             continue;
         }
-        Json& pins = object["pins"];
-        if (pins.is_null()) pins = Json::array();
-        for (std::size_t pin = 0; pin < copy.pins.size(); ++pin) {
-            put(pins[pin], row.key.substr(pin_keys.size()), scene_value_json(row, copy, pin));
+        Json& elements = object[std::string(list->name)];
+        if (elements.is_null()) elements = Json::array();
+        const std::string_view name = row.key.substr(row.key.find('.') + 1);
+        for (std::size_t index = 0; index < list->size(scene); ++index) {
+            if (!applies(row, index)) continue;
+            put(elements[index], name, scene_value_json(row, copy, index));
         }
     }
     return object;

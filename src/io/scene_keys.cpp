@@ -67,10 +67,16 @@ std::string_view last_name(std::string_view key) {
     return key.substr(section_of(key).empty() ? 0 : section_of(key).size() + 1);
 }
 
-/// Table of the reference that a key stands in: its first name, "pins[]" without the brackets.
+/// Table of the reference that a key stands in: its first name, with the brackets of a list.
 std::string_view heading_of(std::string_view key) {
     if (section_of(key).empty()) return {};
-    return key.substr(0, key.find_first_of(".["));
+    return key.substr(0, key.find('.'));
+}
+
+std::string title_of(std::string_view heading) {
+    if (heading.empty()) return "The file itself";
+    if (!heading.ends_with("[]")) return fmt::format("`[{}]`", heading);
+    return fmt::format("`[[{}]]`", heading.substr(0, heading.size() - 2));
 }
 
 /// Every key, and every section that has keys.
@@ -94,6 +100,15 @@ std::vector<std::string_view> keys_and_sections() {
 const SceneKey* find_scene_key(std::string_view key) {
     for (const SceneKey& row : scene_keys()) {
         if (row.key == key) return &row;
+    }
+    return nullptr;
+}
+
+const SceneList* list_of_scene_key(std::string_view key) {
+    const std::size_t end = key.find("[]");
+    if (end == std::string_view::npos) return nullptr;
+    for (const SceneList& list : scene_lists()) {
+        if (list.name == key.substr(0, end)) return &list;
     }
     return nullptr;
 }
@@ -142,10 +157,7 @@ std::string scene_keys_markdown() {
     for (const SceneKey& row : scene_keys()) {
         if (heading_of(row.key) != heading) {
             heading = heading_of(row.key);
-            const std::string title = heading.empty()     ? "The file itself"
-                                      : heading == "pins" ? "`[[pins]]`"
-                                                          : fmt::format("`[{}]`", heading);
-            text += fmt::format("\n### {}\n\n", title);
+            text += fmt::format("\n### {}\n\n", title_of(heading));
             text += "| key | type | unit | default | allowed | meaning |\n";
             text += "|---|---|---|---|---|---|\n";
         }

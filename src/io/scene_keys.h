@@ -16,10 +16,11 @@
 
 namespace weft {
 
-/// Where a key's value stands in a scene. `pin` counts the pins, and is not read for other keys.
-/// Keys of the wind may be asked for only where the scene has wind.
+/// Where a key's value stands in a scene. `index` is that of the pin or obstacle, and is not read
+/// for keys that stand in no list. Keys of the wind may be asked for only where the scene has wind,
+/// those of a sphere or plane only of an obstacle that is one.
 template <typename Value>
-using SceneAccess = Value& (*)(SceneDescription& scene, std::size_t pin);
+using SceneAccess = Value& (*)(SceneDescription& scene, std::size_t index);
 
 /// Access by type of value; monostate: the key "version", which a description does not hold.
 using SceneField =
@@ -39,9 +40,16 @@ struct SceneKey {
     std::string_view allowed;   ///< in words, also said by errors
     std::string_view meaning;   ///< a sentence or two
     SceneField field;
-    /// Whether the value counts in this scene: the size of a grid does not where there is a mesh.
-    /// Null: always.
-    bool (*applies)(const SceneDescription& scene) = nullptr;
+    /// Whether the value counts in this scene, and for this pin or obstacle: the size of a grid
+    /// does not where there is a mesh. Null: always.
+    bool (*applies)(const SceneDescription& scene, std::size_t index) = nullptr;
+};
+
+/// A list of tables: [[pins]].
+struct SceneList {
+    std::string_view name;  ///< "pins"
+    std::size_t (*size)(const SceneDescription& scene);
+    void (*renew)(SceneDescription& scene, std::size_t count);  ///< to `count` default elements
 };
 
 /// Every key, in the order of the reference.
@@ -49,6 +57,12 @@ std::span<const SceneKey> scene_keys();
 
 /// @param key dotted, with "[]" for an index: "pins[].select".  @return null: no such key.
 const SceneKey* find_scene_key(std::string_view key);
+
+/// Every list of tables.
+std::span<const SceneList> scene_lists();
+
+/// The list that a key with an index stands in ("pins" of "pins[].select"); null: in none.
+const SceneList* list_of_scene_key(std::string_view key);
 
 /// The names that may stand in a section ("cloth", "wind.gust", "pins[]", "" for the whole file);
 /// empty where there is no such section.

@@ -30,11 +30,11 @@ public:
         const SceneKey* row = find_scene_key(key);
         const bool is_section = !names_in_section(key).empty();
         if (row && !(is_section && value.table())) {
-            read_scene_value(*row, path, value, scene_, pin_);
+            read_scene_value(*row, path, value, scene_, index_);
         } else if (is_section) {
             read_section(value, path, key);
         } else {
-            read_pins(value, path, key);
+            read_list(value, path, *list_of_scene_key(key + "[]"));
         }
     }
 
@@ -44,7 +44,7 @@ public:
                 path, toml_text(value),
                 fmt::format("a table with the keys {}", fmt::join(names_in_section(key), ", ")));
         }
-        if (key == "wind" && !scene_.wind) scene_.wind = WindDescription{};
+        make_room_for(key);
         for (const TomlValue::Member& member : *value.table()) {
             const std::string name = joined(key, member.key);
             if (!is_known(name)) refuse_unknown(member, path, key);
@@ -58,19 +58,45 @@ private:
                !names_in_section(key + "[]").empty();
     }
 
-    void read_pins(const TomlValue& value, const std::string& path, const std::string& key) {
+    void read_list(const TomlValue& value, const std::string& path, const SceneList& list) {
         const auto* array = value.array();
-        if (!array) throw scene_error(path, toml_text(value), "a list of tables, [[pins]]");
-        scene_.pins.assign(array->size(), {});
-        for (pin_ = 0; pin_ < array->size(); ++pin_) {
-            const TomlValue& pin = (*array)[pin_];
-            const std::string pin_path = fmt::format("{}[{}]", path, pin_);
-            read_section(pin, pin_path, key + "[]");
-            if (pin.find("select")) continue;
-            throw Error(
-                ErrorKind::usage, {.file = {}, .key = pin_path + ".select"},
-                fmt::format("not given; allowed is {}", find_scene_key("pins[].select")->allowed));
+        if (!array) {
+            throw scene_error(path, toml_text(value),
+                              fmt::format("a list of tables, [[{}]]", list.name));
         }
+        list.renew(scene_, array->size());
+        for (index_ = 0; index_ < array->size(); ++index_) {
+            const TomlValue& element = (*array)[index_];
+            const std::string element_path = fmt::format("{}[{}]", path, index_);
+            read_section(element, element_path, fmt::format("{}[]", list.name));
+            if (list.name == "pins") require_selection(element, element_path);
+            if (list.name == "obstacles") require_one_shape(element, element_path);
+        }
+    }
+
+    static void require_selection(const TomlValue& pin, const std::string& path) {
+        if (pin.find("select")) return;
+        throw Error(
+            ErrorKind::usage, {.file = {}, .key = path + ".select"},
+            fmt::format("not given; allowed is {}", find_scene_key("pins[].select")->allowed));
+    }
+
+    static void require_one_shape(const TomlValue& obstacle, const std::string& path) {
+        const TomlValue* plane = obstacle.find("plane");
+        if (plane && obstacle.find("sphere")) {
+            throw scene_error(path + ".plane", toml_text(*plane), "sphere or plane, not both");
+        }
+        if (plane || obstacle.find("sphere")) return;
+        throw Error(ErrorKind::usage, {.file = {}, .key = path},
+                    "has no shape; allowed is sphere = { centre = [x, y, z], radius = NUMBER } or "
+                    "plane = { point = [x, y, z], normal = [x, y, z] }");
+    }
+
+    /// What a table brings with its defaults by being there.
+    void make_room_for(const std::string& section) {
+        if (section == "wind" && !scene_.wind) scene_.wind = WindDescription{};
+        if (section == "obstacles[].sphere") scene_.obstacles[index_].shape = SphereObstacle{};
+        if (section == "obstacles[].plane") scene_.obstacles[index_].shape = PlaneObstacle{};
     }
 
     [[noreturn]] void refuse_unknown(const TomlValue::Member& member,
@@ -91,7 +117,7 @@ private:
 
     const SceneDocument& document_;
     SceneDescription& scene_;
-    std::size_t pin_ = 0;
+    std::size_t index_ = 0;  ///< of the pin or obstacle
 };
 
 /// What is not said where [cloth] is given: a cloth of one's own starts without the flag's wind,

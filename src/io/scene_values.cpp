@@ -212,9 +212,9 @@ Json to_json(const std::vector<PinKeyframe>& motion) {
 }  // namespace
 
 void read_scene_value(const SceneKey& key, const std::string& path, const TomlValue& value,
-                      SceneDescription& scene, std::size_t pin) {
+                      SceneDescription& scene, std::size_t index) {
     const auto read = [&]<typename Value>(SceneAccess<Value> access) {
-        Value& target = access(scene, pin);
+        Value& target = access(scene, index);
         // A word of its own is read as such; elsewhere "auto" is what is there when nothing is
         // given.
         constexpr bool is_word = std::is_same_v<Value, std::string> || std::is_enum_v<Value>;
@@ -241,13 +241,13 @@ void read_scene_value(const SceneKey& key, const std::string& path, const TomlVa
         key.field);
 }
 
-Json scene_value_json(const SceneKey& key, SceneDescription& scene, std::size_t pin) {
+Json scene_value_json(const SceneKey& key, SceneDescription& scene, std::size_t index) {
     return std::visit(
         [&](const auto& access) -> Json {
             if constexpr (std::is_same_v<std::decay_t<decltype(access)>, std::monostate>) {
                 return 1;
             } else {
-                return to_json(access(scene, pin));
+                return to_json(access(scene, index));
             }
         },
         key.field);

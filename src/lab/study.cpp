@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lab/trajectory.h"
+#include "weft/error.h"
 #include "weft/instruction_set.h"
 #include "weft/simulation.h"
 
@@ -42,6 +43,18 @@ std::vector<std::string> facts_of(const SceneDescription& scene, const std::stri
                         shear, bend, cloth.total_mass()),
             fmt::format("{}: fastest mode {:.4g} rad/s with damping ratio {:.3g}; {}", stem,
                         fastest.omega, ratio, scene.wind ? "in wind" : "no air")};
+}
+
+// Experiments ask how well a method solves a smooth problem, from rest.
+void check_measurable(const SceneDescription& scene) {
+    if (!scene.obstacles.empty()) {
+        throw scene_error("obstacles", fmt::format("a list of {}", scene.obstacles.size()),
+                          "none in the laboratory, which measures methods without contact");
+    }
+    if (scene.start.state || scene.start.time != 0.0) {
+        throw scene_error(scene.start.state ? "start.state" : "start.time", "a start of its own",
+                          "none in the laboratory, whose runs begin at rest at time 0");
+    }
 }
 
 LabOptions options_of_part(const LabOptions& options, double begin, double length) {
@@ -82,6 +95,7 @@ std::string title_of(const StudyPlan& plan) {
 }  // namespace
 
 std::vector<std::filesystem::path> run_study(const StudyPlan& plan) {
+    for (const SceneDescription& scene : plan.scenes) check_measurable(scene);
     check_plotting();
     const std::vector<std::string> stems = stems_of(plan.scenes);
     ReportHead head;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "render/grid_indices.h"
 #include "render/shader_program.h"
 #include "weft/error.h"
 
@@ -25,6 +26,14 @@ bool leaves_unit_square(const Surface& surface) {
     return std::any_of(surface.uvs.begin(), surface.uvs.end(), [](const auto& uv) {
         return uv[0] < 0.0F || uv[0] > 1.0F || uv[1] < 0.0F || uv[1] > 1.0F;
     });
+}
+
+void set_up_sampler(const GlSampler& sampler, bool repeat) {
+    const GLint wrap = repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_S, wrap);
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_T, wrap);
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
 void upload_texture(const GlTexture& texture, const std::string& name, bool repeat) {
@@ -55,9 +64,11 @@ void upload_texture(const GlTexture& texture, const std::string& name, bool repe
 
 ClothMesh::ClothMesh(const Surface& surface, const std::string& texture)
     : surface_(&surface), vertices_(surface.vertex_count()) {
-    upload_texture(texture_, texture, leaves_unit_square(surface));
+    const bool repeat = leaves_unit_square(surface);
+    upload_texture(texture_, texture, repeat);
+    set_up_sampler(quick_sampler_, repeat);
     glBindVertexArray(vertex_array_.name());
-    fill_buffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_, surface.triangles, GL_STATIC_DRAW);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_.name());
     // OpenGL counts v from the first row given, which is the top of an Image; Surface counts
     // upward.
     std::vector<std::array<float, 2>> uvs = surface.uvs;
@@ -74,31 +85,46 @@ ClothMesh::ClothMesh(const Surface& surface, const std::string& texture)
     glBindVertexArray(0);
 }
 
-Box ClothMesh::update(const Frame& frame) {
+bool ClothMesh::update(const Frame& frame) {
     std::span<const Vec3f> normals = frame.normals;
     if (normals.size() != frame.positions.size()) {
         normals_.resize(frame.positions.size());
         compute_normals(*surface_, frame.positions, normals_);
         normals = normals_;
     }
-    Box bounds;
+    bool changed = !filled_;
     for (std::uint32_t vertex = 0; vertex < vertices_.size(); ++vertex) {
         const std::uint32_t particle = surface_->particle(vertex);
         const glm::vec3 position = to_glm(frame.positions[particle]);
         const Vec3f normal = normals[particle];
-        vertices_[vertex] = {position, {normal.x, normal.y, normal.z}};
-        bounds = vertex == 0 ? Box{position, position} : bounds.grown_to(position);
+        const Vertex taken{position, {normal.x, normal.y, normal.z}};
+        changed = changed || taken.position != vertices_[vertex].position ||
+                  taken.normal != vertices_[vertex].normal;
+        vertices_[vertex] = taken;
+        bounds_ = vertex == 0 ? Box{position, position} : bounds_.grown_to(position);
     }
-    fill_buffer(GL_ARRAY_BUFFER, vertex_buffer_, vertices_, GL_STREAM_DRAW);
-    return bounds;
+    if (changed) fill_buffer(GL_ARRAY_BUFFER, vertex_buffer_, vertices_, GL_STREAM_DRAW);
+    filled_ = true;
+    return changed;
 }
 
-void ClothMesh::draw() const {
+void ClothMesh::set_step(std::uint32_t step) {
+    if (step == step_) return;
+    const auto triangles = triangles_of(*surface_, step);
+    glBindVertexArray(vertex_array_.name());  // which holds the buffer of indices
+    fill_buffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_, triangles, GL_STATIC_DRAW);
+    index_count_ = static_cast<GLsizei>(3 * triangles.size());
+    step_ = step;
+}
+
+void ClothMesh::draw(std::uint32_t step, bool quick) {
+    set_step(step);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(cloth_texture_unit));
     glBindTexture(GL_TEXTURE_2D, texture_.name());
+    glBindSampler(static_cast<GLuint>(cloth_texture_unit), quick ? quick_sampler_.name() : 0);
     glBindVertexArray(vertex_array_.name());
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * surface_->triangles.size()),
-                   GL_UNSIGNED_INT, nullptr);
+    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    glBindSampler(static_cast<GLuint>(cloth_texture_unit), 0);
 }
 
 }  // namespace weft

@@ -74,6 +74,15 @@ struct GlRenderbufferKind {
     static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
 };
 
+struct GlSamplerKind {
+    static GLuint create() {
+        GLuint name = 0;
+        glGenSamplers(1, &name);
+        return name;
+    }
+    static void destroy(GLuint name) { glDeleteSamplers(1, &name); }
+};
+
 struct GlProgramKind {
     static GLuint create() { return glCreateProgram(); }
     static void destroy(GLuint name) { glDeleteProgram(name); }
@@ -84,6 +93,7 @@ using GlVertexArray = GlObject<GlVertexArrayKind>;
 using GlTexture = GlObject<GlTextureKind>;
 using GlFramebuffer = GlObject<GlFramebufferKind>;
 using GlRenderbuffer = GlObject<GlRenderbufferKind>;
+using GlSampler = GlObject<GlSamplerKind>;
 using GlProgram = GlObject<GlProgramKind>;
 
 }  // namespace weft

@@ -28,7 +28,7 @@ std::pair<glm::vec3, glm::vec3> ends_of(std::span<const glm::vec3> edge) {
 }
 
 /// A ball on a small collar, starting `along` the axis of a pole.
-void add_finial(Solid& solid, glm::vec3 start, glm::vec3 axis, float pole_radius) {
+void add_finial(Solid& solid, glm::vec3 start, glm::vec3 axis, float pole_radius, int sides) {
     const float ball = 2.0F * pole_radius, collar = 1.35F * pole_radius;
     std::vector<ProfilePoint> profile{
         {-0.6F * pole_radius, pole_radius}, {-0.6F * pole_radius, collar},
@@ -41,7 +41,7 @@ void add_finial(Solid& solid, glm::vec3 start, glm::vec3 axis, float pole_radius
         profile.push_back(
             {0.4F * pole_radius + ball * (1.0F - std::cos(angle)), ball * std::sin(angle)});
     }
-    add_turned_body(solid, start, axis, profile, brass);
+    add_turned_body(solid, start, axis, profile, brass, sides);
 }
 
 }  // namespace
@@ -71,19 +71,21 @@ Pole plan_mast(std::span<const glm::vec3> edge, const Box& cloth, float ground) 
     return pole;
 }
 
-Solid build_mast(const Pole& pole) {
+Solid build_mast(const Pole& pole, bool fine) {
     Solid solid;
+    const int sides = fine ? 32 : 12;
     const glm::vec3 axis = glm::normalize(pole.top - pole.foot);
     add_turned_body(solid, pole.foot, axis,
-                    {{0.0F, pole.radius}, {glm::distance(pole.foot, pole.top), pole.radius}},
-                    paint);
-    add_finial(solid, pole.top, axis, pole.radius);
-    if (pole.level) add_finial(solid, pole.foot, -axis, pole.radius);
+                    {{0.0F, pole.radius}, {glm::distance(pole.foot, pole.top), pole.radius}}, paint,
+                    sides);
+    add_finial(solid, pole.top, axis, pole.radius, sides);
+    if (pole.level) add_finial(solid, pole.foot, -axis, pole.radius, sides);
     for (const glm::vec3& tie : pole.ties) {
-        add_ring(solid, tie, axis, 1.25F * pole.radius, 0.32F * pole.radius, rope);
+        add_ring(solid, tie, axis, 1.25F * pole.radius, 0.32F * pole.radius, rope, sides);
         // The lashing from the ring into the cloth's edge.
         add_ring(solid, tie + 1.75F * pole.radius * pole.toward_cloth,
-                 glm::cross(axis, pole.toward_cloth), 0.8F * pole.radius, 0.2F * pole.radius, rope);
+                 glm::cross(axis, pole.toward_cloth), 0.8F * pole.radius, 0.2F * pole.radius, rope,
+                 sides);
     }
     return solid;
 }

@@ -15,6 +15,7 @@ namespace weft {
 Pole plan_mast(std::span<const glm::vec3> edge, const Box& cloth, float ground);
 
 /// The pole with its finials and the rings that hold the cloth.
-Solid build_mast(const Pole& pole);
+/// @param fine as recordings want it; else with a third of the triangles.
+Solid build_mast(const Pole& pole, bool fine = true);
 
 }  // namespace weft

@@ -73,8 +73,9 @@ struct OffScreenRenderer::Buffers {
     }
 };
 
-OffScreenRenderer::OffScreenRenderer(const Surface& surface, const RenderDescription& render)
-    : surface_(&surface), render_(render) {
+OffScreenRenderer::OffScreenRenderer(const Surface& surface, const RenderDescription& render,
+                                     std::vector<ObstacleDescription> obstacles)
+    : surface_(&surface), render_(render), obstacles_(std::move(obstacles)) {
     const CurrentContext current(context_);
     // Held here until both stand: on an error they go before the context ceases to be current.
     auto buffers = std::make_unique<Buffers>(render);
@@ -100,7 +101,7 @@ OffScreenRenderer::~OffScreenRenderer() {
 
 void OffScreenRenderer::set_first_frame(const Frame& first) {
     const CurrentContext current(context_);
-    const Stage stage = plan_stage(*surface_, first.positions, render_);
+    const Stage stage = plan_stage(*surface_, first.positions, render_, obstacles_);
     camera_ = choose_camera(stage, render_);
     renderer_->set_stage(stage);
 }

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "render/camera.h"
 #include "render/gl_context.h"
@@ -17,10 +18,11 @@ namespace weft {
 /// at a time; the context is current only inside its functions.
 class OffScreenRenderer {
 public:
-    /// @param surface outlives the renderer.
+    /// @param surface outlives the renderer.  @param obstacles stand in the picture.
     /// @throws Error (file) where OpenGL is not available or the texture cannot be read;
     ///         Error (usage) where the driver takes no picture of that size.
-    OffScreenRenderer(const Surface& surface, const RenderDescription& render);
+    OffScreenRenderer(const Surface& surface, const RenderDescription& render,
+                      std::vector<ObstacleDescription> obstacles = {});
     ~OffScreenRenderer();
     OffScreenRenderer(const OffScreenRenderer&) = delete;
     OffScreenRenderer& operator=(const OffScreenRenderer&) = delete;
@@ -35,6 +37,7 @@ private:
 
     const Surface* surface_;
     RenderDescription render_;
+    std::vector<ObstacleDescription> obstacles_;
     GlContext context_;
     std::unique_ptr<Buffers> buffers_;    ///< destroyed while the context is current
     std::unique_ptr<Renderer> renderer_;  ///< the same

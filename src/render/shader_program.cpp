@@ -58,6 +58,7 @@ void connect_inputs(GLuint program) {
     // A location of -1 (the shader does not read that texture) is ignored by OpenGL.
     glUniform1i(glGetUniformLocation(program, "cloth_texture"), cloth_texture_unit);
     glUniform1i(glGetUniformLocation(program, "shadow_map"), shadow_texture_unit);
+    glUniform1i(glGetUniformLocation(program, "ends"), line_texture_unit);
     glUseProgram(0);
 }
 

@@ -11,6 +11,7 @@ namespace weft {
 inline constexpr GLuint scene_block_binding = 0;
 inline constexpr GLint cloth_texture_unit = 0;
 inline constexpr GLint shadow_texture_unit = 1;
+inline constexpr GLint line_texture_unit = 2;
 
 /// Attribute locations that all vertex shaders share.
 inline constexpr GLuint position_attribute = 0;  ///< vec3 [m]

@@ -9,7 +9,7 @@
 
 namespace weft {
 
-ShadowMap::ShadowMap() {
+ShadowMap::ShadowMap(int resolution) : resolution_(resolution) {
     glBindTexture(GL_TEXTURE_2D, texture_.name());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, resolution, resolution, 0,
                  GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
@@ -30,7 +30,7 @@ ShadowMap::ShadowMap() {
 
 void ShadowMap::begin() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    glViewport(0, 0, resolution, resolution);
+    glViewport(0, 0, resolution_, resolution_);
     glClear(GL_DEPTH_BUFFER_BIT);
 }
 
@@ -39,7 +39,8 @@ void ShadowMap::bind_texture() const {
     glBindTexture(GL_TEXTURE_2D, texture_.name());
 }
 
-ShadowView sun_view(const Box& casters, glm::vec3 to_sun, std::optional<float> ground) {
+ShadowView sun_view(const Box& casters, glm::vec3 to_sun, std::optional<float> ground,
+                    int resolution) {
     const glm::vec3 up = to_sun.y > 0.99F ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
     const glm::mat4 turn = glm::lookAt(glm::vec3(0.0F), -to_sun, up);
     Box box;
@@ -64,7 +65,7 @@ ShadowView sun_view(const Box& casters, glm::vec3 to_sun, std::optional<float> g
                                          middle.y + half, -box.high.z - slack, -box.low.z + slack);
     const glm::mat4 to_unit =
         glm::scale(glm::translate(glm::mat4(1.0F), glm::vec3(0.5F)), glm::vec3(0.5F));
-    return {to_unit * flatten * turn, 2.0F * half / static_cast<float>(ShadowMap::resolution)};
+    return {to_unit * flatten * turn, 2.0F * half / static_cast<float>(resolution)};
 }
 
 }  // namespace weft

@@ -12,16 +12,17 @@ namespace weft {
 /// A square depth picture along parallel rays of light.
 class ShadowMap {
 public:
-    static constexpr int resolution = 1536;  ///< [texels]
+    /// @param resolution of a side [texels].
+    explicit ShadowMap(int resolution);
 
-    ShadowMap();
-
+    [[nodiscard]] int resolution() const { return resolution_; }
     /// Binds and clears the map; what is drawn then casts shadows. Changes the viewport.
     void begin() const;
     /// Makes the map readable in shadow_texture_unit.
     void bind_texture() const;
 
 private:
+    int resolution_;
     GlTexture texture_;
     GlFramebuffer framebuffer_;
 };
@@ -33,6 +34,8 @@ struct ShadowView {
 };
 
 /// The view along the sun's rays that holds all that casts shadows, and in depth the ground too.
-ShadowView sun_view(const Box& casters, glm::vec3 to_sun, std::optional<float> ground);
+/// @param resolution of the map [texels].
+ShadowView sun_view(const Box& casters, glm::vec3 to_sun, std::optional<float> ground,
+                    int resolution);
 
 }  // namespace weft

@@ -9,8 +9,6 @@ namespace weft {
 
 namespace {
 
-constexpr int sides = 32;
-
 /// Two unit vectors that make a right-handed frame with `axis`.
 std::pair<glm::vec3, glm::vec3> across(glm::vec3 axis) {
     const glm::vec3 other = std::abs(axis.y) < 0.9F ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
@@ -39,10 +37,10 @@ glm::vec2 profile_normal(const std::vector<ProfilePoint>& profile, std::size_t i
 }  // namespace
 
 void add_turned_body(Solid& solid, glm::vec3 start, glm::vec3 axis,
-                     const std::vector<ProfilePoint>& profile, glm::vec3 colour) {
+                     const std::vector<ProfilePoint>& profile, glm::vec3 colour, int sides) {
     const auto [first, second] = across(axis);
     const auto base = static_cast<std::uint32_t>(solid.vertices.size());
-    constexpr std::uint32_t ring = sides + 1;
+    const auto pieces = static_cast<std::uint32_t>(sides), ring = pieces + 1;
     for (std::size_t i = 0; i < profile.size(); ++i) {
         const glm::vec2 normal = profile_normal(profile, i);
         for (int side = 0; side <= sides; ++side) {
@@ -54,7 +52,7 @@ void add_turned_body(Solid& solid, glm::vec3 start, glm::vec3 axis,
         }
     }
     for (std::uint32_t i = 0; i + 1 < profile.size(); ++i) {
-        for (std::uint32_t side = 0; side < sides; ++side) {
+        for (std::uint32_t side = 0; side < pieces; ++side) {
             const std::uint32_t a = base + i * ring + side, b = a + ring;
             solid.indices.insert(solid.indices.end(), {a, a + 1, b + 1, a, b + 1, b});
         }
@@ -62,7 +60,7 @@ void add_turned_body(Solid& solid, glm::vec3 start, glm::vec3 axis,
 }
 
 void add_ring(Solid& solid, glm::vec3 centre, glm::vec3 axis, float ring_radius, float radius,
-              glm::vec3 colour) {
+              glm::vec3 colour, int sides) {
     std::vector<ProfilePoint> profile;
     constexpr int steps = 12;
     for (int i = 0; i <= steps; ++i) {
@@ -70,7 +68,7 @@ void add_ring(Solid& solid, glm::vec3 centre, glm::vec3 axis, float ring_radius,
             2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(steps);
         profile.push_back({-radius * std::cos(angle), ring_radius + radius * std::sin(angle)});
     }
-    add_turned_body(solid, centre, axis, profile, colour);
+    add_turned_body(solid, centre, axis, profile, colour, sides);
 }
 
 }  // namespace weft

@@ -27,12 +27,13 @@ struct ProfilePoint {
 
 /// Adds the body that a profile sweeps when it turns around the axis from `start` along the unit
 /// vector `axis`. Normals are smooth along the profile; a sharp edge is two points in one place.
+/// @param sides of the polygon that stands for a circle.
 void add_turned_body(Solid& solid, glm::vec3 start, glm::vec3 axis,
-                     const std::vector<ProfilePoint>& profile, glm::vec3 colour);
+                     const std::vector<ProfilePoint>& profile, glm::vec3 colour, int sides = 32);
 
 /// Adds a ring of round section around `centre`.
 /// @param ring_radius of its middle line; @param radius of its section [m].
 void add_ring(Solid& solid, glm::vec3 centre, glm::vec3 axis, float ring_radius, float radius,
-              glm::vec3 colour);
+              glm::vec3 colour, int sides = 32);
 
 }  // namespace weft

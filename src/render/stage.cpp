@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <variant>
 
 #include "render/mast.h"
 
@@ -141,6 +142,59 @@ std::vector<glm::vec3> hanging_box(const Stage& stage, glm::vec3 half) {
     return {corners.begin(), corners.end()};
 }
 
+/// How far a lying cloth falls until its middle part meets the obstacle [m]; far, where the
+/// obstacle is small beside the cloth or stands elsewhere. A level floor holds no cloth up.
+float way_to(const ObstacleDescription& obstacle, const Stage& stage) {
+    constexpr float far = std::numeric_limits<float>::infinity();
+    const glm::vec3 middle = stage.rest.middle();
+    if (const auto* sphere = std::get_if<SphereObstacle>(&obstacle.shape)) {
+        const glm::vec3 centre = to_glm(sphere->centre);
+        const auto radius = static_cast<float>(sphere->radius);
+        const float aside = glm::distance(glm::vec2(centre.x, centre.z), {middle.x, middle.z});
+        const bool bears = radius > 0.08F * stage.size && aside < 0.35F * stage.size;
+        return bears && centre.y < middle.y ? middle.y - centre.y - radius : far;
+    }
+    const auto& plane = std::get<PlaneObstacle>(obstacle.shape);
+    const glm::vec3 normal = glm::normalize(to_glm(plane.normal));
+    if (level_height(plane) || normal.y < 0.1F) return far;
+    const float way = glm::dot(middle - to_glm(plane.point), normal) / normal.y;
+    return way > 0.0F ? way : far;
+}
+
+/// Whether a lying cloth comes to drape over an obstacle, and does not swing.
+bool lies_over_obstacle(const Stage& stage) {
+    return stage.lying && std::any_of(stage.obstacles.begin(), stage.obstacles.end(),
+                                      [&](const ObstacleDescription& obstacle) {
+                                          return way_to(obstacle, stage) < 0.5F * stage.size;
+                                      });
+}
+
+/// The cloth as it lies, and the floor below its inner part, where it comes to hang.
+std::vector<glm::vec3> draped_box(const Stage& stage, float ground) {
+    const auto corners = stage.rest.corners();
+    std::vector<glm::vec3> points(corners.begin(), corners.end());
+    for (const glm::vec3& corner : corners) {
+        glm::vec3 below = glm::mix(stage.rest.middle(), corner, 0.7F);
+        below.y = std::max(ground, stage.rest.low.y - 0.5F * stage.size);
+        points.push_back(below);
+    }
+    return points;
+}
+
+/// Points all over the balls.
+void add_balls(const Stage& stage, std::vector<glm::vec3>& points) {
+    for (const ObstacleDescription& obstacle : stage.obstacles) {
+        const auto* sphere = std::get_if<SphereObstacle>(&obstacle.shape);
+        if (sphere == nullptr) continue;
+        for (int i = 0; i < 27; ++i) {
+            const glm::vec3 way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            if (i == 13) continue;  // the middle
+            points.push_back(to_glm(sphere->centre) +
+                             static_cast<float>(sphere->radius) * glm::normalize(way));
+        }
+    }
+}
+
 /// What the camera shows. Showing all of the reach would make the cloth small for the sake of
 /// places it hardly comes to, so each way of hanging has its own allowance.
 std::vector<glm::vec3> view_corners(const Stage& stage, float ground) {
@@ -149,6 +203,7 @@ std::vector<glm::vec3> view_corners(const Stage& stage, float ground) {
     const glm::vec3 half = 0.5F * glm::vec3(glm::dot(size, glm::abs(axes[0])), size.y,
                                             glm::dot(size, glm::abs(axes[2])));
     const glm::vec3 middle = stage.rest.middle();
+    if (lies_over_obstacle(stage)) return draped_box(stage, ground);
     std::vector<glm::vec3> corners =
         stage.lying ? swing_arc(half, stage.rest.high.y, ground) : hanging_box(stage, half);
     for (glm::vec3& corner : corners) corner = glm::vec3(middle.x, 0, middle.z) + axes * corner;
@@ -174,8 +229,24 @@ std::array<glm::vec3, 8> Box::corners() const {
     return result;
 }
 
+std::optional<float> level_height(const PlaneObstacle& plane) {
+    const glm::vec3 normal = glm::normalize(to_glm(plane.normal));
+    if (!(normal.y > 0.99999F)) return std::nullopt;
+    return static_cast<float>(plane.point.y);
+}
+
+std::optional<float> floor_height(const Stage& stage) {
+    std::optional<float> highest;
+    for (const ObstacleDescription& obstacle : stage.obstacles) {
+        const auto* plane = std::get_if<PlaneObstacle>(&obstacle.shape);
+        const auto height = plane != nullptr ? level_height(*plane) : std::nullopt;
+        if (height) highest = std::max(highest.value_or(*height), *height);
+    }
+    return highest ? highest : stage.ground;
+}
+
 Stage plan_stage(const Surface& surface, std::span<const Vec3d> positions,
-                 const RenderDescription& render) {
+                 const RenderDescription& render, std::span<const ObstacleDescription> obstacles) {
     const RestCloth cloth = rest_cloth(surface, positions);
     Stage stage;
     stage.rest = bounds_of(cloth.points);
@@ -190,10 +261,12 @@ Stage plan_stage(const Surface& surface, std::span<const Vec3d> positions,
             ? uppermost(cloth, 1e-3F, [&](std::size_t i) { return surface.uvs[i][1]; })
             : uppermost(cloth, 0.02F * size.y, [&](std::size_t i) { return cloth.points[i].y; });
     stage.reach = reach_of(cloth, spread_of(render.mast ? left : upper));
-    const float ground = ground_height(stage);
-    if (render.ground) stage.ground = ground;
+    stage.obstacles.assign(obstacles.begin(), obstacles.end());
+    if (render.ground) stage.ground = ground_height(stage);
+    const float ground = floor_height(stage).value_or(ground_height(stage));
     if (render.mast) stage.mast = plan_mast(left, stage.rest, ground);
     stage.view = view_corners(stage, ground);
+    add_balls(stage, stage.view);
 
     // The sun stands high, to the left and in front: it grazes a hanging cloth, so folds show.
     stage.to_sun = glm::normalize(stage_axes(stage) * glm::vec3(-0.74F, 0.80F, 0.46F));

@@ -44,15 +44,26 @@ struct Stage {
     glm::vec3 front{0, 0, 1};     ///< level unit vector that the cloth faces
     bool lying = false;           ///< the cloth starts level, and is seen from higher up
     float size = 1.0F;            ///< diagonal of `rest` [m]
-    std::optional<float> ground;  ///< height of the floor [m]
+    std::optional<float> ground;  ///< height of the floor where no obstacle is it [m]
     glm::vec3 to_sun{0, 1, 0};    ///< unit vector
     std::optional<Pole> mast;
+    std::vector<ObstacleDescription> obstacles;  ///< drawn, with shadows
 };
+
+/// The height of a plane that is level with its normal upward [m]; nothing for others.
+std::optional<float> level_height(const PlaneObstacle& plane);
+
+/// The height of the floor: that of the highest level plane among the obstacles, else the stage's
+/// own, if it has one [m].
+std::optional<float> floor_height(const Stage& stage);
 
 /// Plans the stage from the first frame. A frame does not say what holds the cloth: with a mast it
 /// is taken to be fastened along its left edge (u = 0), else along its upper edge.
 /// @param positions [particle] of the first frame [m].
+/// @param obstacles lie within what an automatic camera shows, planes aside. A level plane with its
+///                  normal upward is the ground.
 Stage plan_stage(const Surface& surface, std::span<const Vec3d> positions,
-                 const RenderDescription& render);
+                 const RenderDescription& render,
+                 std::span<const ObstacleDescription> obstacles = {});
 
 }  // namespace weft

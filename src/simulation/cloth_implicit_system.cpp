@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "forces/assembled_newton_matrix.h"
@@ -38,7 +39,8 @@ std::unique_ptr<NewtonMatrixSolver> make_newton_solver(const ClothModel& cloth, 
 }
 
 ClothImplicitSystem::ClothImplicitSystem(const ClothModel& cloth, const SceneDescription& scene,
-                                         DynamicsSystem<double>& forces,
+                                         DynamicsSystem<double>& forces, const GripSprings& grips,
+                                         const ContactSupports& supports,
                                          std::vector<std::string>& warnings, InstructionSet set,
                                          int threads)
     : cloth_(cloth),
@@ -46,6 +48,8 @@ ClothImplicitSystem::ClothImplicitSystem(const ClothModel& cloth, const SceneDes
       threads_(threads),
       automatic_(scene.integrator.linear_solver == LinearSolver::automatic),
       forces_(forces),
+      grips_(grips),
+      supports_(supports),
       drag_(scene.forces.damping),
       inverse_masses_(cloth.layout.slot_count()),
       blocks_(cloth.layout.slot_count()),
@@ -60,6 +64,17 @@ ClothImplicitSystem::ClothImplicitSystem(const ClothModel& cloth, const SceneDes
     }
 }
 
+void ClothImplicitSystem::acceleration(double t, ConstVec3View<double> x, ConstVec3View<double> v,
+                                       Vec3View<double> a) {
+    forces_.acceleration(t, x, v, a);
+    for (const GripSpring& grip : grips_) {
+        a.add(grip.slot, (1.0 / grip.mass) * grip.force(x[grip.slot], v[grip.slot]));
+    }
+    for (const ContactSupport& support : supports_.list) {
+        a.add(support.slot, supports_.acceleration(support, x[support.slot]));
+    }
+}
+
 void ClothImplicitSystem::linearise(double t, double inverse_tau, ConstVec3View<double> x,
                                     ConstVec3View<double> v) {
     for (const std::size_t diagonal : {std::size_t{0}, std::size_t{3}, std::size_t{5}}) {
@@ -68,11 +83,23 @@ void ClothImplicitSystem::linearise(double t, double inverse_tau, ConstVec3View<
             const double w = inverse_masses_[s];
             entry[s] = w > 0.0 ? inverse_tau * (inverse_tau / w + drag_) : 0.0;
         }
+        for (const GripSpring& grip : grips_) {
+            entry[grip.slot] += grip.stiffness + inverse_tau * grip.damping;
+        }
+    }
+    for (const std::size_t mixed : {std::size_t{1}, std::size_t{2}, std::size_t{4}}) {
+        std::fill(blocks_.entries[mixed].begin(), blocks_.entries[mixed].end(), 0.0);
+    }
+    for (const ContactSupport& support : supports_.list) {
+        const Vec3d n = support.normal;
+        const double stiffness = supports_.rate / inverse_masses_[support.slot];
+        const std::array<double, 6> outer{n.x * n.x, n.x * n.y, n.x * n.z,
+                                          n.y * n.y, n.y * n.z, n.z * n.z};
+        for (std::size_t e = 0; e < outer.size(); ++e) {
+            blocks_.entries[e][support.slot] += stiffness * outer[e];
+        }
     }
     if (air_damping_) {
-        for (const std::size_t mixed : {std::size_t{1}, std::size_t{2}, std::size_t{4}}) {
-            std::fill(blocks_.entries[mixed].begin(), blocks_.entries[mixed].end(), 0.0);
-        }
         const Vec3d wind = wind_velocity(*wind_, t);
         air_damping_->add(wind, x, v, inverse_tau, blocks_);
     }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "contact/contact_supports.h"
+#include "contact/grip_springs.h"
 #include "forces/air_damping.h"
 #include "forces/newton_matrix.h"
 #include "integrators/dynamics_system.h"
@@ -22,15 +24,16 @@ std::unique_ptr<NewtonMatrixSolver> make_newton_solver(const ClothModel& cloth, 
 class ClothImplicitSystem final : public ImplicitSystem {
 public:
     /// @param forces the cloth's forces in double; they and the cloth outlive the system.
+    /// @param grips, supports act besides them; they outlive the system, and may change between
+    ///        steps.
     /// @param warnings outlives the system; gets a line when a solver is replaced.
     ClothImplicitSystem(const ClothModel& cloth, const SceneDescription& scene,
-                        DynamicsSystem<double>& forces, std::vector<std::string>& warnings,
+                        DynamicsSystem<double>& forces, const GripSprings& grips,
+                        const ContactSupports& supports, std::vector<std::string>& warnings,
                         InstructionSet set, int threads);
 
     void acceleration(double t, ConstVec3View<double> x, ConstVec3View<double> v,
-                      Vec3View<double> a) override {
-        forces_.acceleration(t, x, v, a);
-    }
+                      Vec3View<double> a) override;
     void constrain(double t, Vec3View<double> x, Vec3View<double> v) const override {
         forces_.constrain(t, x, v);
     }
@@ -52,6 +55,8 @@ private:
     int threads_;
     bool automatic_;  // whether another solver may be chosen
     DynamicsSystem<double>& forces_;
+    const GripSprings& grips_;
+    const ContactSupports& supports_;
     double drag_;                            // [kg/s]
     std::optional<WindDescription> wind_;    // where there is air
     std::optional<AirDamping> air_damping_;  // likewise

@@ -113,8 +113,8 @@ template <typename Real>
 ClothImplicitSystem* ClothSystem<Real>::implicit_system() {
     if (implicit_system_) return implicit_system_.get();
     const auto make = [&](DynamicsSystem<double>& forces) {
-        implicit_system_ = std::make_unique<ClothImplicitSystem>(cloth_, scene_, forces, warnings_,
-                                                                 instruction_set_, threads_);
+        implicit_system_ = std::make_unique<ClothImplicitSystem>(
+            cloth_, scene_, forces, grips_, supports_, warnings_, instruction_set_, threads_);
     };
     if constexpr (std::is_same_v<Real, double>) {
         make(*this);

@@ -4,9 +4,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cloth/cloth_model.h"
+#include "contact/contact_supports.h"
+#include "contact/grip_springs.h"
 #include "forces/grid_air.h"
 #include "forces/grid_kernel.h"
 #include "forces/grid_springs.h"
@@ -42,6 +45,14 @@ public:
     void forget_implicit_system() { implicit_system_.reset(); }
     /// Of all its implicit systems so far.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+    /// Those of a system that it takes the place of.
+    void adopt_warnings(const std::vector<std::string>& warnings) { warnings_ = warnings; }
+    /// What pulls besides the forces: implicit_system() has it, acceleration() does not.
+    void set_grips(GripSprings grips) { grips_ = std::move(grips); }
+    [[nodiscard]] GripSprings& grips() { return grips_; }
+    [[nodiscard]] const GripSprings& grips() const { return grips_; }
+    /// What holds up the cloth on obstacles in the next step: likewise.
+    [[nodiscard]] ContactSupports& supports() { return supports_; }
     [[nodiscard]] const SpringNetwork* spring_network() override;
     void external_acceleration(double t, ConstVec3View<Real> x, ConstVec3View<Real> v,
                                Vec3View<Real> a) override;
@@ -84,6 +95,8 @@ private:
     std::optional<MeshAir<Real>> mesh_air_;
     std::vector<PinTarget<Real>> moving_pins_;  ///< by rising slot, as verlet() last put them
     Vec3Array<Real> forces_;                    ///< for power() with moving pins or air only
+    GripSprings grips_;
+    ContactSupports supports_;
     // Where asked for:
     std::unique_ptr<SpringNetwork> spring_network_;
     std::unique_ptr<ClothSystem<double>> forces_in_double_;  ///< of a system in float

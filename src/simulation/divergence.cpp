@@ -36,6 +36,12 @@ template std::optional<Divergence> find_divergence(const ClothModel&, const Part
 template std::optional<Divergence> find_divergence(const ClothModel&, const ParticleState<double>&,
                                                    const StrainCheck&);
 
+void describe_failure(Divergence& failed, const StepFailure& failure, std::string_view method) {
+    failed.message = fmt::format("{} cannot make step {}, of {:.4g} s: {}", method, failed.step,
+                                 failed.time_step, failure.reason);
+    failed.advice = failure.advice;
+}
+
 void describe_divergence(Divergence& divergence, const ClothModel& cloth, std::string_view method) {
     const std::string where =
         divergence.particle

@@ -6,6 +6,7 @@
 #include "cloth/cloth_model.h"
 #include "cloth/particle_state.h"
 #include "forces/measure_cloth.h"
+#include "integrators/integrator.h"
 #include "weft/simulation.h"
 
 namespace weft {
@@ -16,6 +17,10 @@ namespace weft {
 template <typename Real>
 std::optional<Divergence> find_divergence(const ClothModel& cloth, const ParticleState<Real>& state,
                                           const StrainCheck& check);
+
+/// A step that could not be made, told as a divergence.
+/// @param failed has step, time and time_step of it, and the stable step.
+void describe_failure(Divergence& failed, const StepFailure& failure, std::string_view method);
 
 /// Fills in message and advice.
 void describe_divergence(Divergence& divergence, const ClothModel& cloth, std::string_view method);

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "forces/measure_cloth.h"
 #include "integrators/integrator.h"
-#include "simulation/cloth_system.h"
-#include "simulation/divergence.h"
+#include "simulation/cloth_motion.h"
+#include "simulation/grip_check.h"
+#include "simulation/scene_rules.h"
 #include "simulation/settle.h"
 #include "simulation/stability.h"
 #include "weft/error.h"
@@ -21,68 +22,57 @@ namespace {
 constexpr int max_halvings = 12;  // of the step, over a run; of implicit ones in a frame
 constexpr std::size_t frames_between_estimates = 8;
 constexpr int products_per_estimate = 2;
-
-Work operator+(const Work& a, const Work& b) {
-    return {a.dashpots + b.dashpots, a.drag + b.drag, a.air + b.air, a.pins + b.pins};
-}
-
-Work operator*(double s, const Work& a) {
-    return {s * a.dashpots, s * a.drag, s * a.air, s * a.pins};
-}
+constexpr double gripped_step = 1.0 / 600;  // [s]
 
 template <typename Real>
 class ClothEngine final : public Engine {
 public:
     ClothEngine(const ClothModel& cloth, const SceneDescription& scene,
-                const EngineOptions& options);
+                const EngineOptions& options, const ClothEngine* previous);
 
     FrameReport advance_frame() override;
     void capture(FrameBuffer& buffer, FrameNeeds needs) const override;
     void set_state(std::span<const Vec3d> x, std::span<const Vec3d> v) override;
 
     void change_integrator() override;
+    void change_obstacles() override;
+    void set_grips(std::span<const Grip> grips) override;
+    [[nodiscard]] Vec3d grip_force() const override;
     SettleReport settle() override;
     [[nodiscard]] const std::optional<SettleReport>& settle_report() const override {
         return settle_report_;
     }
     [[nodiscard]] const MethodChoice& method() const override { return method_; }
     [[nodiscard]] std::string_view linear_solver() override {
-        return kind() == IntegratorKind::implicit ? system_.implicit_system()->solver_name()
-                                                  : std::string_view{};
+        return kind() == IntegratorKind::implicit
+                   ? motion_.system().implicit_system()->solver_name()
+                   : std::string_view{};
     }
     [[nodiscard]] SolverCounts solver_counts() const override {
-        return counts_before_ + integrator_->counts();
+        return counts_before_ + motion_.counts();
     }
     [[nodiscard]] const std::vector<std::string>& warnings() const override {
-        return system_.warnings();
+        return motion_.system().warnings();
     }
     [[nodiscard]] LinearAnalysis linear_analysis() const override;
     [[nodiscard]] double stable_step(std::string_view method) const override {
         return modes_.stable_step(method);
     }
-    [[nodiscard]] std::size_t frame() const override { return frame_; }
-    [[nodiscard]] double time() const override { return state_.time; }
-    [[nodiscard]] std::size_t step_count() const override { return step_count_; }
+    [[nodiscard]] std::size_t frame() const override { return motion_.frame(); }
+    [[nodiscard]] double time() const override { return motion_.state().time; }
+    [[nodiscard]] std::size_t step_count() const override { return motion_.step_count(); }
     [[nodiscard]] std::size_t steps_per_frame() const override { return steps_per_frame_; }
-    [[nodiscard]] Energy energy() const override {
-        return measures_.energy(state_.x.view(), state_.v.view());
-    }
-    [[nodiscard]] Work work() const override { return work_; }
-    [[nodiscard]] SpringStrain largest_strain() const override {
-        if (!strain_check_) strain_check_ = measures_.check(state_.x.view(), state_.v.view());
-        return measures_.largest_strain(state_.x.view(), *strain_check_);
-    }
+    [[nodiscard]] Energy energy() const override { return motion_.measures().energy(x(), v()); }
+    [[nodiscard]] Work work() const override { return motion_.work(); }
+    [[nodiscard]] SpringStrain largest_strain() const override { return motion_.largest_strain(); }
     [[nodiscard]] std::uint64_t state_hash() const override {
-        return measures_.state_hash(state_.x.view(), state_.v.view());
+        return motion_.measures().state_hash(x(), v());
     }
 
 private:
-    using History = typename Integrator<Real>::History;
+    [[nodiscard]] ConstVec3View<Real> x() const { return motion_.state().x.view(); }
+    [[nodiscard]] ConstVec3View<Real> v() const { return motion_.state().v.view(); }
 
-    [[nodiscard]] double frame_length() const { return 1.0 / scene_.output.frames_per_second; }
-    [[nodiscard]] double frame_time(std::size_t frame) const {
-        return static_cast<double>(frame) / scene_.output.frames_per_second;
-    }
     [[nodiscard]] bool is_auto() const { return !scene_.integrator.time_step.has_value(); }
     // Whether the step is kept stable while the cloth moves.
     [[nodiscard]] bool follows_stability() const {
@@ -92,59 +82,69 @@ private:
         return steps_a_frame(scene_, method, modes_);
     }
     [[nodiscard]] IntegratorKind kind() const { return find_integrator(method_.method)->kind; }
+    void put_at_start();
+    void go_on_from(const ClothEngine& previous);
+    void follow_stretching();
     void keep_stable();
-    std::optional<StepFailure> run_steps(std::size_t count, std::size_t steps_per_frame);
-    Divergence describe_failure(const StepFailure& failure, std::size_t steps_per_frame) const;
+    [[nodiscard]] std::size_t steps_of_next_frame() const;
+    Divergence divergence(const std::optional<StepFailure>& failure, std::size_t steps,
+                          bool restarted);
     [[nodiscard]] bool may_halve(int in_frame) const;
     void start_at_rest();
-    void state_changed();
-    void save();
-    void go_back();
-    std::optional<Divergence> find_divergence();
-    Divergence trace_divergence(std::size_t steps_per_frame, bool restarted);
 
     const ClothModel& cloth_;
     const SceneDescription& scene_;
     EngineOptions options_;
-    ClothSystem<Real> system_;
-    std::unique_ptr<Integrator<Real>> integrator_;
-    ParticleState<Real> state_;
-    mutable ClothMeasures<Real> measures_;             // its scratch memory changes
-    mutable std::optional<StrainCheck> strain_check_;  // of the present state, where known
+    ClothMotion<Real> motion_;
+    std::vector<Grip> grips_;
     StabilityModes modes_;
     MethodChoice method_;
     SolverCounts counts_before_;  // of integrators before the present one
     std::optional<SettleReport> settle_report_;
     std::optional<StabilityAnalysis<Real>> analysis_;  // while the step follows it
-    std::size_t frame_ = 0, step_count_ = 0, steps_per_frame_ = 1;
+    std::size_t steps_per_frame_ = 1;
     int halvings_ = 0;
-    Work work_, last_power_;
-    bool power_known_ = false;
-    struct {
-        ParticleState<Real> state;
-        History history;
-        Work work;
-    } good_;  // the last frame that was
 };
 
 template <typename Real>
 ClothEngine<Real>::ClothEngine(const ClothModel& cloth, const SceneDescription& scene,
-                               const EngineOptions& options)
+                               const EngineOptions& options, const ClothEngine* previous)
     : cloth_(cloth),
       scene_(scene),
       options_(options),
-      system_(cloth, scene, options.instruction_set, options.threads),
-      measures_(cloth, scene.forces, options.instruction_set) {
-    state_.x = Vec3Array<Real>(cloth.layout.slot_count());
-    state_.v = Vec3Array<Real>(cloth.layout.slot_count());
-    cloth.layout.for_each([&](std::size_t p, std::size_t slot) {
-        state_.x.set(slot, vec3_cast<Real>(cloth.rest_position(p)));
-    });
-    system_.constrain(0.0, state_.x.view(), state_.v.view());
+      motion_(cloth, scene, options.instruction_set, options.threads) {
     analysis_.emplace(cloth, scene.forces, options.instruction_set, options.threads);
-    modes_ = analysis_->find(std::as_const(state_.x).view());
+    modes_ = analysis_->find(x());
+    if (previous != nullptr) {
+        go_on_from(*previous);
+    } else if (scene.start.state) {
+        put_at_start();
+    }
     change_integrator();
-    if (scene.output.settle) start_at_rest();
+    if (scene.output.settle && previous == nullptr) start_at_rest();
+}
+
+// The stable step is that of the cloth at rest, as in the run that the state may come from, unless
+// the cloth is stretched.
+template <typename Real>
+void ClothEngine<Real>::put_at_start() {
+    const ClothState& start = *scene_.start.state;
+    if (start.positions.size() != cloth_.particle_count) {
+        throw scene_error("start.state",
+                          fmt::format("a state of {} particles", start.positions.size()),
+                          fmt::format("this cloth has {}", cloth_.particle_count));
+    }
+    set_state(start.positions, start.velocities);
+    follow_stretching();
+}
+
+template <typename Real>
+void ClothEngine<Real>::go_on_from(const ClothEngine& previous) {
+    motion_.go_on_from(previous.motion_);
+    counts_before_ = previous.solver_counts();
+    settle_report_ = previous.settle_report_;
+    grips_ = previous.grips_;
+    follow_stretching();
 }
 
 template <typename Real>
@@ -160,22 +160,49 @@ template <typename Real>
 void ClothEngine<Real>::change_integrator() {
     const MethodChoice choice = choose_method(scene_, cloth_, modes_);
     steps_per_frame_ = steps_of(choice.method);  // may throw: before anything changes
-    if (integrator_) counts_before_ = solver_counts();
+    if (motion_.has_integrator()) counts_before_ = solver_counts();
     method_ = choice;
-    system_.forget_implicit_system();
+    motion_.system().forget_implicit_system();
     const IntegratorDescription& chosen = scene_.integrator;
-    integrator_ = make_integrator<Real>(
+    motion_.set_integrator(make_integrator<Real>(
         method_.method, {options_.instruction_set, solver_tolerance(scene_, cloth_, method_.method),
-                         chosen.iterations, chosen.time_step});
-    integrator_->prepare(system_);
+                         chosen.iterations, chosen.time_step}));
     if (follows_stability() && !analysis_) {
         analysis_.emplace(cloth_, scene_.forces, options_.instruction_set, options_.threads);
-        modes_ = analysis_->find(std::as_const(state_.x).view());
+        modes_ = analysis_->find(x());
     } else if (!follows_stability()) {
         analysis_.reset();
     }
-    power_known_ = false;
-    save();
+    motion_.filter().suit(*find_integrator(method_.method));
+    set_grips(std::vector<Grip>(grips_));
+}
+
+template <typename Real>
+void ClothEngine<Real>::change_obstacles() {
+    // The automatic step depends on whether there are any: to find it takes milliseconds.
+    if (scene_.obstacles.empty() != motion_.filter().is_free()) {
+        steps_per_frame_ = steps_of(method_.method);
+    }
+    motion_.filter().set_obstacles(scene_.obstacles);
+}
+
+template <typename Real>
+void ClothEngine<Real>::set_grips(std::span<const Grip> grips) {
+    grips_.assign(grips.begin(), grips.end());
+    GripSprings springs = grip_springs(grips_, cloth_);
+    for (GripSpring& spring : springs) spring.velocity = vec3_cast<double>(v()[spring.slot]);
+    motion_.system().set_grips(std::move(springs));
+}
+
+template <typename Real>
+Vec3d ClothEngine<Real>::grip_force() const {
+    const bool in_equations = kind() == IntegratorKind::implicit;
+    Vec3d force;
+    for (const GripSpring& grip : motion_.system().grips()) {
+        force += grip.force(vec3_cast<double>(x()[grip.slot]),
+                            in_equations ? vec3_cast<double>(v()[grip.slot]) : grip.velocity);
+    }
+    return force;
 }
 
 template <typename Real>
@@ -185,137 +212,81 @@ LinearAnalysis ClothEngine<Real>::linear_analysis() const {
             fastest.omega > 0.0 ? fastest.damping_rate / (2.0 * fastest.omega) : 0.0};
 }
 
-// Under "auto", follows the largest frequency while the cloth stretches, and refines the step.
+// The largest frequency rises as the cloth stretches.
+template <typename Real>
+void ClothEngine<Real>::follow_stretching() {
+    const double squared = analysis_->follow(x(), products_per_estimate);
+    Mode& fastest = modes_.modes.front();
+    if (squared > fastest.omega * fastest.omega) fastest.omega = std::sqrt(squared);
+}
+
+// Under "auto", refines the step.
 template <typename Real>
 void ClothEngine<Real>::keep_stable() {
-    if (!follows_stability() || frame_ == 0 || frame_ % frames_between_estimates != 0) return;
-    const double squared = analysis_->follow(std::as_const(state_.x).view(), products_per_estimate);
-    Mode& fastest = modes_.modes.front();
-    if (!(squared > fastest.omega * fastest.omega)) return;
-    fastest.omega = std::sqrt(squared);
+    if (!follows_stability() || motion_.frame() == 0 ||
+        motion_.frame() % frames_between_estimates != 0)
+        return;
+    const double before = modes_.modes.front().omega;
+    follow_stretching();
+    if (modes_.modes.front().omega == before) return;
     steps_per_frame_ = std::max(steps_per_frame_, steps_of(method_.method));
 }
 
+// A grip that is not in a method's equations holds the more, the shorter the steps; and at their
+// limit, the inner steps of a composition that lead back in time are upset by it.
 template <typename Real>
-std::optional<StepFailure> ClothEngine<Real>::run_steps(std::size_t count,
-                                                        std::size_t steps_per_frame) {
-    const double dt = frame_length() / static_cast<double>(steps_per_frame);
-    const bool balance = scene_.output.energy_balance;
-    const auto power = [&] {
-        return system_.power(state_.time, std::as_const(state_.x).view(),
-                             std::as_const(state_.v).view());
-    };
-    if (balance && !power_known_) last_power_ = power();
-    power_known_ = balance;
-    for (std::size_t n = 1; n <= count; ++n) {
-        StepReport report = integrator_->step(system_, dt, state_);
-        if (!report.ok()) return std::move(report.failure);
-        // From the frame's number, so that rounding does not add up over a long run.
-        state_.time = n == steps_per_frame ? frame_time(frame_ + 1)
-                                           : frame_time(frame_) + static_cast<double>(n) * dt;
-        if (balance) {
-            const Work now = power();
-            work_ = work_ + 0.5 * dt * (last_power_ + now);
-            last_power_ = now;
-        }
+std::size_t ClothEngine<Real>::steps_of_next_frame() const {
+    if (grips_.empty() || !is_auto()) return steps_per_frame_;
+    const IntegratorInfo& info = *find_integrator(method_.method);
+    switch (info.kind) {
+        case IntegratorKind::implicit:
+            return steps_per_frame_;
+        case IntegratorKind::explicit_steps:
+            return info.symplectic && info.order > 2 ? 2 * steps_per_frame_ : steps_per_frame_;
+        case IntegratorKind::adaptive:
+        case IntegratorKind::by_springs:
+            break;
     }
-    return std::nullopt;
+    return std::max(steps_per_frame_, steps_in_frame(motion_.frame_length(), gripped_step));
 }
 
+// What ended a frame of so many steps.
 template <typename Real>
-void ClothEngine<Real>::save() {
-    good_.state.x = state_.x;
-    good_.state.v = state_.v;
-    good_.state.time = state_.time;
-    integrator_->save(good_.history);
-    good_.work = work_;
-}
-
-template <typename Real>
-void ClothEngine<Real>::go_back() {
-    state_.x = good_.state.x;
-    state_.v = good_.state.v;
-    state_.time = good_.state.time;
-    integrator_->restore(good_.history);
-    strain_check_.reset();
-    work_ = good_.work;
-    power_known_ = false;
-}
-
-template <typename Real>
-std::optional<Divergence> ClothEngine<Real>::find_divergence() {
-    strain_check_ = measures_.check(state_.x.view(), state_.v.view());
-    return weft::find_divergence(cloth_, state_, *strain_check_);
-}
-
-// Runs the failed frame once more, as it was run, looking after every step.
-// @param restarted whether the integrator had forgotten its history (after a halving).
-template <typename Real>
-Divergence ClothEngine<Real>::trace_divergence(std::size_t steps_per_frame, bool restarted) {
-    const double dt = frame_length() / static_cast<double>(steps_per_frame);
-    const std::optional<Divergence> at_end = find_divergence();
-    std::optional<Divergence> found;
-    std::size_t step = 0;
-    go_back();
-    if (restarted) integrator_->restart();
-    while (!found && step < steps_per_frame) {
-        (void)integrator_->step(system_, dt, state_);  // as it went before
-        ++step;
-        state_.time = frame_time(frame_) + static_cast<double>(step) * dt;
-        found = find_divergence();
+Divergence ClothEngine<Real>::divergence(const std::optional<StepFailure>& failure,
+                                         std::size_t steps, bool restarted) {
+    Divergence found =
+        failure ? motion_.failed_step(steps) : motion_.trace_divergence(steps, restarted);
+    found.stable_step = modes_.stable_step(method_.method);
+    if (failure) {
+        describe_failure(found, *failure, method_.method);
+    } else {
+        describe_divergence(found, cloth_, method_.method);
     }
-    if (!found) found = at_end;  // another linear solver than before took it elsewhere
-    found->step = step_count_ + step;
-    found->time = state_.time;
-    found->time_step = dt;
-    found->stable_step = modes_.stable_step(method_.method);
-    describe_divergence(*found, cloth_, method_.method);
-    return *found;
-}
-
-// A step that could not be made, told as a divergence. state_.time is where it began.
-template <typename Real>
-Divergence ClothEngine<Real>::describe_failure(const StepFailure& failure,
-                                               std::size_t steps_per_frame) const {
-    Divergence divergence;
-    divergence.time_step = frame_length() / static_cast<double>(steps_per_frame);
-    divergence.time = state_.time;
-    divergence.step = step_count_ + 1 +
-                      static_cast<std::size_t>(
-                          std::llround((state_.time - frame_time(frame_)) / divergence.time_step));
-    divergence.stable_step = modes_.stable_step(method_.method);
-    divergence.message = fmt::format("{} cannot make step {}, of {:.4g} s: {}", method_.method,
-                                     divergence.step, divergence.time_step, failure.reason);
-    divergence.advice = failure.advice;
-    return divergence;
+    return found;
 }
 
 template <typename Real>
 SettleReport ClothEngine<Real>::settle() {
-    ImplicitSystem& system = *system_.implicit_system();
-    Vec3Array<double> x(cloth_.layout.slot_count());
+    if (!scene_.obstacles.empty()) {
+        throw scene_error("output.settle", "settling",
+                          std::string(scene_rules::settle_among_obstacles));
+    }
+    ParticleState<Real>& state = motion_.state();
+    Vec3Array<double> place(cloth_.layout.slot_count());
     cloth_.layout.for_each(
-        [&](std::size_t, std::size_t slot) { x.set(slot, vec3_cast<double>(state_.x[slot])); });
+        [&](std::size_t, std::size_t slot) { place.set(slot, vec3_cast<double>(state.x[slot])); });
     const double weight = length(scene_.forces.gravity) * cloth_.total_mass() /
                           static_cast<double>(cloth_.particle_count);
-    settle_report_ = weft::settle(system, state_.time, weight, {}, x);
+    settle_report_ =
+        weft::settle(*motion_.system().implicit_system(), state.time, weight, {}, place);
     if (settle_report_->converged) {
-        cloth_.layout.for_each(
-            [&](std::size_t, std::size_t slot) { state_.x.set(slot, vec3_cast<Real>(x[slot])); });
-        state_.v.fill_zero();
-        state_changed();
+        cloth_.layout.for_each([&](std::size_t, std::size_t slot) {
+            state.x.set(slot, vec3_cast<Real>(place[slot]));
+        });
+        state.v.fill_zero();
+        motion_.state_changed();
     }
     return *settle_report_;
-}
-
-// After others than the integrator moved the cloth.
-template <typename Real>
-void ClothEngine<Real>::state_changed() {
-    system_.constrain(state_.time, state_.x.view(), state_.v.view());
-    strain_check_.reset();
-    integrator_->restart();
-    power_known_ = false;
-    save();
 }
 
 // An implicit step that cannot be solved, or leads nowhere, is not too long for the cloth but for
@@ -331,68 +302,68 @@ template <typename Real>
 FrameReport ClothEngine<Real>::advance_frame() {
     keep_stable();
     FrameReport report;
-    std::size_t steps = steps_per_frame_;
+    std::size_t steps = steps_of_next_frame();
     while (true) {
-        const std::optional<StepFailure> failure = run_steps(steps, steps);
+        const std::optional<StepFailure> failure = motion_.run_frame(steps);
         report.steps = steps;
-        report.time_step = frame_length() / static_cast<double>(steps);
-        if (!failure && !find_divergence()) break;
+        report.time_step = motion_.frame_length() / static_cast<double>(steps);
+        if (!failure && !motion_.find_divergence()) break;
         if (!may_halve(report.halvings)) {
-            report.divergence = failure ? describe_failure(*failure, steps)
-                                        : trace_divergence(steps, report.halvings > 0);
-            go_back();
+            report.divergence = divergence(failure, steps, report.halvings > 0);
+            motion_.go_back();
             return report;
         }
-        go_back();
-        integrator_->restart();  // what it keeps belongs to the longer step
+        motion_.go_back();
+        motion_.forget_history();  // what it keeps belongs to the longer step
         steps *= 2;
         ++report.halvings;
         if (kind() == IntegratorKind::implicit) continue;
-        steps_per_frame_ = steps;
+        steps_per_frame_ *= 2;
         ++halvings_;
     }
-    ++frame_;
-    step_count_ += report.steps;
-    save();
+    motion_.count_frame(report.steps);
     return report;
 }
 
 template <typename Real>
 void ClothEngine<Real>::capture(FrameBuffer& buffer, FrameNeeds needs) const {
-    buffer.index = frame_;
-    buffer.time = state_.time;
+    buffer.index = motion_.frame();
+    buffer.time = motion_.state().time;
     const auto count = [&](bool needed) { return needed ? cloth_.particle_count : 0; };
     buffer.positions.resize(count(needs.positions));
     buffer.velocities.resize(count(needs.velocities));
     buffer.normals.resize(count(needs.normals));
     buffer.rounded_positions.resize(count(needs.rounded_positions));
-    const auto x = state_.x.view(), v = state_.v.view();
-    if (needs.positions) measures_.copy(x, std::span(buffer.positions));
-    if (needs.velocities) measures_.copy(v, std::span(buffer.velocities));
-    if (needs.normals) measures_.normals(x, buffer.normals);
-    if (needs.rounded_positions) measures_.copy(x, std::span(buffer.rounded_positions));
+    ClothMeasures<Real>& measures = motion_.measures();
+    if (needs.positions) measures.copy(x(), std::span(buffer.positions));
+    if (needs.velocities) measures.copy(v(), std::span(buffer.velocities));
+    if (needs.normals) measures.normals(x(), buffer.normals);
+    if (needs.rounded_positions) measures.copy(x(), std::span(buffer.rounded_positions));
 }
 
 template <typename Real>
 void ClothEngine<Real>::set_state(std::span<const Vec3d> x, std::span<const Vec3d> v) {
+    ParticleState<Real>& state = motion_.state();
     cloth_.layout.for_each([&](std::size_t p, std::size_t slot) {
-        state_.x.set(slot, vec3_cast<Real>(x[p]));
-        state_.v.set(slot, vec3_cast<Real>(v[p]));
+        state.x.set(slot, vec3_cast<Real>(x[p]));
+        state.v.set(slot, vec3_cast<Real>(v[p]));
     });
-    state_changed();
+    motion_.state_changed();
+    if (!grips_.empty()) set_grips(std::vector<Grip>(grips_));
 }
 
 }  // namespace
 
 template <typename Real>
 std::unique_ptr<Engine> make_engine(const ClothModel& cloth, const SceneDescription& scene,
-                                    const EngineOptions& options) {
-    return std::make_unique<ClothEngine<Real>>(cloth, scene, options);
+                                    const EngineOptions& options, const Engine* previous) {
+    return std::make_unique<ClothEngine<Real>>(cloth, scene, options,
+                                               static_cast<const ClothEngine<Real>*>(previous));
 }
 
 template std::unique_ptr<Engine> make_engine<float>(const ClothModel&, const SceneDescription&,
-                                                    const EngineOptions&);
+                                                    const EngineOptions&, const Engine*);
 template std::unique_ptr<Engine> make_engine<double>(const ClothModel&, const SceneDescription&,
-                                                     const EngineOptions&);
+                                                     const EngineOptions&, const Engine*);
 
 }  // namespace weft

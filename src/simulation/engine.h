@@ -24,6 +24,12 @@ public:
     /// Goes on as scene.integrator now says, from the present state.
     /// @throws Error (usage) as Simulation's constructor; the engine is as before.
     virtual void change_integrator() = 0;
+    /// Scene.obstacles have changed, and nothing else of the scene.
+    virtual void change_obstacles() = 0;
+    /// @pre check_grips() accepts them.
+    virtual void set_grips(std::span<const Grip> grips) = 0;
+    [[nodiscard]] virtual Vec3d grip_force() const = 0;
+    /// @throws Error (usage) for scenes with obstacles.
     virtual SettleReport settle() = 0;
     [[nodiscard]] virtual const std::optional<SettleReport>& settle_report() const = 0;
 
@@ -50,15 +56,19 @@ struct EngineOptions {
 };
 
 /// @param cloth, scene outlive the engine.
+/// @param previous null: begins as the scene says. Else goes on where this one stands, made by
+///        make_engine<Real> for a cloth of the same particles at the same slots; what it counted
+///        goes on too. It is not changed, and its own cloth and scene are not looked at.
 template <typename Real>
 std::unique_ptr<Engine> make_engine(const ClothModel& cloth, const SceneDescription& scene,
-                                    const EngineOptions& options = {});
+                                    const EngineOptions& options = {},
+                                    const Engine* previous = nullptr);
 
 extern template std::unique_ptr<Engine> make_engine<float>(const ClothModel&,
                                                            const SceneDescription&,
-                                                           const EngineOptions&);
+                                                           const EngineOptions&, const Engine*);
 extern template std::unique_ptr<Engine> make_engine<double>(const ClothModel&,
                                                             const SceneDescription&,
-                                                            const EngineOptions&);
+                                                            const EngineOptions&, const Engine*);
 
 }  // namespace weft

@@ -176,6 +176,58 @@ void check_pin(const std::string& pin_key, const PinDescription& pin,
     }
 }
 
+void check_obstacle(const std::string& key, const ObstacleDescription& obstacle) {
+    if (const auto* const sphere = std::get_if<SphereObstacle>(&obstacle.shape)) {
+        require_finite(key + ".sphere.centre", sphere->centre);
+        require_positive(key + ".sphere.radius", sphere->radius);
+    } else {
+        const auto& plane = std::get<PlaneObstacle>(obstacle.shape);
+        require_finite(key + ".plane.point", plane.point);
+        require(is_finite(plane.normal) && plane.normal != Vec3d{}, key + ".plane.normal",
+                text(plane.normal), scene_rules::normal);
+    }
+    require(obstacle.friction >= 0.0 && obstacle.friction <= 10.0, key + ".friction",
+            text(obstacle.friction), scene_rules::friction);
+    require(obstacle.gap >= 0.0 && obstacle.gap <= 1.0, key + ".gap", text(obstacle.gap),
+            scene_rules::gap);
+}
+
+void check_obstacles(const SceneDescription& scene) {
+    constexpr std::size_t most = 64;  // every particle looks at each
+    require(scene.obstacles.size() <= most, "obstacles",
+            fmt::format("a list of {}", scene.obstacles.size()), fmt::format("at most {}", most));
+    for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
+        check_obstacle(fmt::format("obstacles[{}]", i), scene.obstacles[i]);
+    }
+    require(scene.obstacles.empty() || !scene.output.settle, "output.settle", "true",
+            scene_rules::settle_among_obstacles);
+}
+
+// Whether it has as many particles as the cloth shows once a mesh is welded, when it is built.
+void check_start(const SceneDescription& scene) {
+    const StartDescription& start = scene.start;
+    require_not_negative("start.time", start.time);
+    require(start.state != nullptr || start.state_path.empty(), "start.state",
+            in_quotes(start.state_path), "a path whose state has been loaded");
+    if (!start.state) return;
+    const auto& [x, v] = *start.state;
+    require(x.size() == v.size(), "start.state",
+            fmt::format("a state of {} positions and {} velocities", x.size(), v.size()),
+            "as many of both");
+    for (std::size_t p = 0; p < x.size(); ++p) {
+        require(
+            is_finite(x[p]) && is_finite(v[p]), "start.state",
+            fmt::format("position {} and velocity {} of particle {}", text(x[p]), text(v[p]), p),
+            "finite numbers");
+    }
+    if (scene.cloth.mesh) return;
+    const double particles = particle_estimate(scene);
+    require(static_cast<double>(x.size()) == particles, "start.state",
+            fmt::format("a state of {} particles", x.size()),
+            fmt::format("{:.0f} in a grid of {} x {}", particles, scene.cloth.grid.resolution[0],
+                        scene.cloth.grid.resolution[1]));
+}
+
 void check_forces(const SceneDescription& scene) {
     require_finite("forces.gravity", scene.forces.gravity);
     require_not_negative("forces.damping", scene.forces.damping);
@@ -296,6 +348,8 @@ void check_scene(const SceneDescription& scene) {
     for (std::size_t i = 0; i < scene.pins.size(); ++i) {
         check_pin(fmt::format("pins[{}]", i), scene.pins[i], scene.cloth);
     }
+    check_obstacles(scene);
+    check_start(scene);
     check_forces(scene);
     check_times(scene.integrator, scene.output);
     check_implicit(scene);

@@ -9,6 +9,11 @@ namespace weft::scene_rules {
 inline constexpr std::string_view positive = "a finite number above 0";
 inline constexpr std::string_view not_negative = "a finite number, 0 or more";
 inline constexpr std::string_view vector = "three finite numbers";
+inline constexpr std::string_view friction = "a number from 0 to 10";
+inline constexpr std::string_view gap = "a number from 0 to 1";
+inline constexpr std::string_view normal = "three finite numbers, not all 0";
+inline constexpr std::string_view settle_among_obstacles =
+    "false with [[obstacles]]; what rests on them is not found yet";
 inline constexpr std::string_view sheet_size = "two finite numbers above 0";
 inline constexpr std::string_view resolution = "two integers (columns, rows), each at least 2";
 inline constexpr std::string_view spread = "a number, at least 0 and below 1";

@@ -2,6 +2,8 @@
 
 #include "math/parallel.h"
 #include "simulation/engine.h"
+#include "simulation/grip_check.h"
+#include "simulation/scene_change.h"
 #include "weft/error.h"
 #include "weft/version.h"
 
@@ -19,11 +21,55 @@ struct Simulation::Parts {
         check_scene(scene);
         cloth = build_cloth(scene);
         options.threads = team.size();
-        engine = scene.integrator.precision == Precision::f32
-                     ? make_engine<float>(cloth, scene, options)
-                     : make_engine<double>(cloth, scene, options);
+        engine = new_engine(nullptr);
     }
+
+    std::unique_ptr<Engine> new_engine(const Engine* previous) {
+        return scene.integrator.precision == Precision::f32
+                   ? make_engine<float>(cloth, scene, options, previous)
+                   : make_engine<double>(cloth, scene, options, previous);
+    }
+
+    // The engine goes on with `changed`. Where that throws, all is as it was, down to the addresses
+    // of what the old engine refers to.
+    void take_over(SceneDescription& changed, const SceneChange& change);
+    void rebuild(const SceneChange& change);
 };
+
+void Simulation::Parts::take_over(SceneDescription& changed, const SceneChange& change) {
+    std::swap(scene, changed);
+    try {
+        if (change.forces || change.cloth) {
+            rebuild(change);
+        } else {
+            if (change.integrator) engine->change_integrator();
+            if (change.obstacles) engine->change_obstacles();
+        }
+    } catch (...) {
+        std::swap(scene, changed);
+        throw;
+    }
+}
+
+void Simulation::Parts::rebuild(const SceneChange& change) {
+    if (!change.cloth) {
+        engine = new_engine(engine.get());
+        return;
+    }
+    ClothModel other = build_cloth(scene);
+    // Who draws it holds the surface, which is the same.
+    const auto exchange = [&] {
+        std::swap(cloth, other);
+        std::swap(cloth.surface, other.surface);
+    };
+    exchange();
+    try {
+        engine = new_engine(engine.get());
+    } catch (...) {
+        exchange();
+        throw;
+    }
+}
 
 Simulation::Simulation(const SceneDescription& scene, int threads)
     : parts_(std::make_unique<Parts>(scene, threads)) {}
@@ -88,17 +134,24 @@ void Simulation::set_integrator(const IntegratorDescription& integrator) {
     SceneDescription changed = parts_->scene;
     changed.integrator = integrator;
     check_scene(changed);
-    if (integrator.precision != parts_->scene.integrator.precision) {
-        throw scene_error("integrator.precision", "another than the running one",
-                          "the same in the middle of a run; begin another with set_state()");
-    }
-    std::swap(parts_->scene.integrator, changed.integrator);
-    try {
-        parts_->team.run([&] { parts_->engine->change_integrator(); });
-    } catch (...) {
-        parts_->scene.integrator = changed.integrator;
-        throw;
-    }
+    SceneChange change = scene_change(parts_->scene, changed);
+    change.integrator = true;  // also where it is the same: begun anew
+    parts_->team.run([&] { parts_->take_over(changed, change); });
+}
+
+void Simulation::change_scene(const SceneDescription& scene) {
+    check_scene(scene);
+    SceneDescription changed = scene;
+    const SceneChange change = scene_change(parts_->scene, changed);
+    parts_->team.run([&] { parts_->take_over(changed, change); });
+}
+
+void Simulation::set_grips(std::span<const Grip> grips) {
+    check_grips(grips, particle_count());
+    parts_->engine->set_grips(grips);
+}
+Vec3d Simulation::grip_force() const {
+    return parts_->engine->grip_force();
 }
 
 SettleReport Simulation::settle() {

@@ -106,14 +106,14 @@ std::pair<std::size_t, std::size_t> kinds(const std::vector<Seed>& seeds) {
 
 Seed damaged(const std::vector<Seed>& seeds, std::uint64_t number) {
     Dice dice(number);
-    // Meshes and scenes that are sound are few beside those of scenes/invalid.
+    // Data and scenes that are sound are few beside those of scenes/invalid.
     const auto in = [&](std::size_t begin, std::size_t end) {
         return begin + dice.roll(end - begin);
     };
-    const auto [sound, mesh] = kinds(seeds);
-    const std::size_t kind = dice.roll(6), which = kind == 0  ? in(sound, mesh)
+    const auto [sound, data] = kinds(seeds);
+    const std::size_t kind = dice.roll(6), which = kind == 0  ? in(sound, data)
                                                    : kind < 3 ? in(0, sound)
-                                                              : in(mesh, seeds.size());
+                                                              : in(data, seeds.size());
     Seed seed = seeds[which];
     const std::string& other = seeds[dice.roll(seeds.size())].bytes;
     for (std::size_t left = 1 + dice.roll(dice.roll(8) + 1); left > 0; --left)

@@ -1,6 +1,6 @@
-// The readers of scenes and meshes on damaged files: each ends in a scene or a mesh that can be
-// used, or in a weft::Error. Anything else, and any report of a sanitizer, ends the program with
-// the file left beside it:
+// The readers of scenes, meshes and states on damaged files: each ends in one that can be used, or
+// in a weft::Error. Anything else, and any report of a sanitizer, ends the program with the file
+// left beside it:
 //     fuzz_readers [--cases N | --seconds S] [--from CASE]
 // Cases are numbered, and the same for everyone: --from 1234 --cases 1 repeats one.
 #include <fmt/format.h>
@@ -11,12 +11,15 @@
 #include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "cloth/mesh_cloth.h"
 #include "fuzz/damage.h"
 #include "io/mesh_file.h"
+#include "io/scene_toml.h"
+#include "io/start_state_file.h"
 #include "weft/error.h"
 #include "weft/scene.h"
 
@@ -31,10 +34,25 @@ struct Options {
     double seconds = 0.0;
 };
 
+void require_round_trip(const SceneDescription& scene, const std::string& path) {
+    std::string saved, again;
+    try {
+        saved = scene_to_toml(scene);
+        again = scene_to_toml(parse_scene(saved, path));
+    } catch (const Error& error) {
+        throw std::logic_error(std::string("saved, it is refused: ") + error.what());
+    }
+    if (saved != again) throw std::logic_error("saved, it is another scene");
+}
+
 // False: refused.
 bool read(const std::string& path, const Seed& file) try {
     if (file.ending == ".toml") {
-        check_scene(parse_scene(file.bytes, path));
+        const SceneDescription scene = parse_scene(file.bytes, path);
+        check_scene(scene);
+        require_round_trip(scene, path);
+    } else if (file.ending == ".npy") {
+        load_start_state(path);
     } else {
         build_mesh_cloth(load_mesh(path), path);
     }
@@ -82,7 +100,7 @@ int run(const Options& options) {
         }
         alarm(0);
     }
-    for (const char* ending : {".toml", ".obj", ".ply"}) {
+    for (const char* ending : {".toml", ".obj", ".ply", ".npy"}) {
         unlink((std::string("fuzz-input") + ending).c_str());
     }
     fmt::print("{} damaged files: {} taken, {} refused\n", done, taken, done - taken);

@@ -61,6 +61,19 @@ std::string binary_ply(bool big_endian) {
     return bytes;
 }
 
+std::string numpy_state(const std::string& element) {
+    std::string text = "{'descr': '" + element + "', 'fortran_order': False, 'shape': (2, 4, 3), }";
+    text.resize(117, ' ');
+    std::string bytes("\x93NUMPY\x01\x00", 8);
+    append(bytes, static_cast<std::uint16_t>(text.size() + 1), false);
+    bytes += text + '\n';
+    for (int n = 0; n < 24; ++n) {
+        if (element == "<f8") append(bytes, 0.25 * n, false);
+        if (element == "<f4") append(bytes, 0.25F * static_cast<float>(n), false);
+    }
+    return bytes;
+}
+
 }  // namespace
 
 std::vector<Seed> seeds() {
@@ -68,18 +81,20 @@ std::vector<Seed> seeds() {
     for (Seed& seed : scenes(WEFT_SOURCE_DIR "/scenes/invalid", Seed::Kind::invalid_scene)) {
         all.push_back(std::move(seed));
     }
-    const auto add_mesh = [&](const char* ending, std::string bytes) {
-        all.push_back({Seed::Kind::mesh, ending, std::move(bytes)});
+    const auto add = [&](const char* ending, std::string bytes) {
+        all.push_back({Seed::Kind::data, ending, std::move(bytes)});
     };
-    add_mesh(".obj",
-             "# a square, a triangle and a pentagon\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
-             "v 2 0.5 -2.5e-1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\no cloth\ng front\n"
-             "f 1/1/1 2/2/1 3/3/1 4/4/1\nf 2//1 5//1 3//1\nf -5 -4 -1 -3 -2\n");
-    add_mesh(".ply", ply_header("ascii") +
-                         "0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n2 0.5 -0.25 1 1\n"
-                         "4 0 1 2 3\n3 1 4 2\n");
-    add_mesh(".ply", binary_ply(false));
-    add_mesh(".ply", binary_ply(true));
+    add(".obj",
+        "# a square, a triangle and a pentagon\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+        "v 2 0.5 -2.5e-1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\no cloth\ng front\n"
+        "f 1/1/1 2/2/1 3/3/1 4/4/1\nf 2//1 5//1 3//1\nf -5 -4 -1 -3 -2\n");
+    add(".ply", ply_header("ascii") +
+                    "0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n2 0.5 -0.25 1 1\n"
+                    "4 0 1 2 3\n3 1 4 2\n");
+    add(".ply", binary_ply(false));
+    add(".ply", binary_ply(true));
+    add(".npy", numpy_state("<f8"));
+    add(".npy", numpy_state("<f4"));
     return all;
 }
 

@@ -7,13 +7,13 @@
 namespace weft::fuzz {
 
 struct Seed {
-    enum class Kind { scene, invalid_scene, mesh } kind;
-    std::string ending;  ///< ".toml", ".obj" or ".ply"
+    enum class Kind { scene, invalid_scene, data } kind;
+    std::string ending;  ///< ".toml", ".obj", ".ply" or ".npy"
     std::string bytes;
 };
 
-/// The shipped scenes, those of scenes/invalid, and small meshes in every format that is
-/// read; in this order.
+/// The shipped scenes, those of scenes/invalid, and data: small meshes in every format that is
+/// read, and states to begin with; in this order.
 std::vector<Seed> seeds();
 
 }  // namespace weft::fuzz

@@ -356,6 +356,21 @@ TEST(WritePicture, DrawsOneFrameWithTheStageOfTheFirst) {
     EXPECT_EQ(scratch.names(), std::set<std::string>{"x.png"});
 }
 
+TEST(WritePicture, ShowsTheObstaclesOfThePlan) {
+    const ScratchDirectory scratch;
+    WavingCloth cloth = test::waving_grid(21, 15);
+    RecordingPlan plan = picture_plan(cloth, scratch.path());
+    const Frame first{0, 0.0, cloth.rest, {}, {}};
+    write_picture(scratch / "without.png", plan, first, first);
+    plan.obstacles = {{SphereObstacle{{0.8, 0.5, 0.9}, 0.3}, 0.4, 0.005},
+                      {PlaneObstacle{{0.0, 0.2, 0.0}, {0.0, 1.0, 0.0}}, 0.4, 0.005}};
+    write_picture(scratch / "with.png", plan, first, first);
+    const Image picture = load_texture((scratch / "with.png").string());
+    EXPECT_NE(picture.rgba, load_texture((scratch / "without.png").string()).rgba);
+    OffScreenRenderer renderer(cloth.surface, plan.render, plan.obstacles);
+    EXPECT_EQ(picture.rgba, renderer.draw(first).rgba);
+}
+
 TEST(WritePicture, UnwritableNameIsAFileError) {
     const ScratchDirectory scratch;
     WavingCloth cloth = test::waving_grid(5, 5);

@@ -139,7 +139,7 @@ field_of_view = 50
         R"("material":{"fabric":"cotton","particle_mass":0.5,"stiffness_per":"width",)"
         R"("structural":{"stiffness":825.0,"damping":0.0825},)"
         R"("shear":{"stiffness":275.0,"damping":0.0275},)"
-        R"("bend":{"stiffness":1.0,"damping":2.0,"layout":"border"}},"pins":[],)"
+        R"("bend":{"stiffness":1.0,"damping":2.0,"layout":"border"}},"pins":[],"obstacles":[],)"
         R"("forces":{"gravity":[0.0,0.0,-1.0],"damping":0.1},)"
         R"("wind":{"velocity":[1.0,2.0,3.0],"air_density":0.0,"drag":2.0,"skin_friction":0.0,)"
         R"("gust":{"model":"coefficient","spread":0.5,"period":2.0,"seed":9223372036854775807}},)"
@@ -169,6 +169,45 @@ gust = "none"
               R"("motion":[{"time":1.0,"offset":[0.0,0.0,1.0]}]},)"
               R"({"select":{"box":[[0.0,0.0,0.0],[1.0,1.0,1.0]]},"motion":[]}])");
     EXPECT_EQ(json["wind"]["gust"], "none");
+}
+
+TEST(SceneFile, ReadsObstacles) {
+    const SceneDescription scene = parsed(R"(version = 1
+[cloth]
+[[obstacles]]
+sphere = { centre = [1, 2, 3], radius = 0.5 }
+friction = 0.75
+gap = 0
+[[obstacles]]
+plane = { normal = [0, 2, 1] }
+[[obstacles]]
+sphere = {}
+)");
+    ASSERT_EQ(scene.obstacles.size(), 3U);
+    const auto& sphere = std::get<SphereObstacle>(scene.obstacles[0].shape);
+    EXPECT_EQ(sphere.centre, (Vec3d{1.0, 2.0, 3.0}));
+    EXPECT_EQ(sphere.radius, 0.5);
+    EXPECT_EQ(scene.obstacles[0].friction, 0.75);
+    EXPECT_EQ(scene.obstacles[0].gap, 0.0);
+    const auto& plane = std::get<PlaneObstacle>(scene.obstacles[1].shape);
+    EXPECT_EQ(plane.point, Vec3d{});
+    EXPECT_EQ(plane.normal, (Vec3d{0.0, 2.0, 1.0}));
+    EXPECT_EQ(scene.obstacles[1].friction, 0.4);
+    EXPECT_EQ(scene.obstacles[1].gap, 0.005);
+    EXPECT_EQ(std::get<SphereObstacle>(scene.obstacles[2].shape).radius, 0.25);
+    EXPECT_EQ(scene_to_json(scene)["obstacles"].dump(),
+              R"([{"sphere":{"centre":[1.0,2.0,3.0],"radius":0.5},"friction":0.75,"gap":0.0},)"
+              R"({"plane":{"point":[0.0,0.0,0.0],"normal":[0.0,2.0,1.0]},)"
+              R"("friction":0.4,"gap":0.005},)"
+              R"({"sphere":{"centre":[0.0,0.5,0.0],"radius":0.25},"friction":0.4,"gap":0.005}])");
+}
+
+TEST(SceneFile, AStartWithoutAStateIsATime) {
+    const SceneDescription scene = parsed("version = 1\n[start]\ntime = 2.5\n");
+    EXPECT_EQ(scene.start.time, 2.5);
+    EXPECT_EQ(scene.start.state, nullptr);
+    EXPECT_EQ(scene_to_json(scene)["start"].dump(), R"({"time":2.5})");
+    EXPECT_FALSE(scene_to_json(parsed("version = 1\n[start]\n")).contains("start"));
 }
 
 TEST(SceneFile, PathsAreRelativeToIt) {

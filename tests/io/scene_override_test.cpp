@@ -101,6 +101,28 @@ TEST(SceneOverride, ReachesPinsByIndexAndReplacesThemWhole) {
     EXPECT_EQ(std::get<EverySelection>(every.pins[0].select).every, 2U);
 }
 
+TEST(SceneOverride, ReachesObstaclesByIndex) {
+    const std::string table = towel +
+                              "[[obstacles]]\nplane = {}\n"
+                              "[[obstacles]]\nsphere = { radius = 0.3 }\n";
+    const SceneDescription scene = with(
+        table, {{"obstacles[1].sphere.centre", "[0, 1, 0]"}, {"obstacles[0].friction", "0.1"}});
+    EXPECT_EQ(std::get<SphereObstacle>(scene.obstacles[1].shape).centre, (Vec3d{0.0, 1.0, 0.0}));
+    EXPECT_EQ(std::get<SphereObstacle>(scene.obstacles[1].shape).radius, 0.3);
+    EXPECT_EQ(scene.obstacles[0].friction, 0.1);
+    // A shape takes the other's place.
+    const SceneDescription ball = with(table, {{"obstacles[0].sphere.radius", "0.1"}});
+    EXPECT_EQ(std::get<SphereObstacle>(ball.obstacles[0].shape).radius, 0.1);
+    const SceneDescription floor = with(table, {{"obstacles[1].plane", "{}"}});
+    EXPECT_TRUE(std::holds_alternative<PlaneObstacle>(floor.obstacles[1].shape));
+    EXPECT_TRUE(with(table, {{"obstacles", "[]"}}).obstacles.empty());
+    EXPECT_EQ(with(towel, {{"obstacles", "[{ sphere = {} }]"}}).obstacles.size(), 1U);
+    EXPECT_EQ(
+        test::parse_error(table, std::vector<SceneOverride>{{"obstacles[1].sphere.raduis", "0.3"}}),
+        "--set obstacles[1].sphere.raduis=0.3: obstacles[1].sphere.raduis: unknown key "
+        "(value 0.3); did you mean obstacles[1].sphere.radius? Known here: centre, radius");
+}
+
 TEST(SceneOverride, OfOneMassTakesTheOtherAway) {
     const SceneDescription scene = with(towel, {{"material.particle_mass", "1"}});
     EXPECT_EQ(scene.material.particle_mass, 1.0);

@@ -27,14 +27,15 @@ public:
     DataDirectory& operator=(const DataDirectory&) = delete;
 };
 
-TEST(ShippedScenes, AreTheFiveSortedByName) {
+TEST(ShippedScenes, AreTheSixSortedByName) {
     std::vector<std::string> names;
     for (const ShippedScene& scene : shipped_scenes()) {
         names.push_back(scene.name);
         EXPECT_FALSE(scene.title.empty());
         EXPECT_EQ(scene.title, load_scene(scene.name).name);
     }
-    const std::vector<std::string> expected{"banner", "curtain", "flag", "mesh-cape", "sheet"};
+    const std::vector<std::string> expected{"banner", "curtain",   "drape",
+                                            "flag",   "mesh-cape", "sheet"};
     EXPECT_EQ(names, expected);
 }
 
@@ -107,7 +108,7 @@ TEST(ShippedScenes, AnUnknownNameGetsTheNearestAndTheList) {
     EXPECT_EQ(error->kind(), ErrorKind::usage);
     EXPECT_STREQ(error->what(),
                  "no shipped scene is called \"flga\" (did you mean flag?); there are banner, "
-                 "curtain, flag, mesh-cape, sheet");
+                 "curtain, drape, flag, mesh-cape, sheet");
 }
 
 }  // namespace

@@ -65,6 +65,21 @@ TEST(Allocation, IsNoneWithTheEnergyBalance) {
     }
 }
 
+TEST(Allocation, IsNoneAmongObstaclesAndGrips) {
+    for (const bool mesh : {false, true}) {
+        for (const IntegratorInfo& info : explicit_methods()) {
+            SceneDescription scene = small_flag(mesh, Precision::f32);
+            scene.integrator.method = std::string(info.name);
+            if (info.imaginary_limit == 0.0) scene.integrator.time_step = 5e-5;
+            scene.obstacles = {{SphereObstacle{{0.7, 1.6, 0.05}, 0.2}, 0.4, 0.01},
+                               {PlaneObstacle{{0.0, 1.2, 0.0}, {0.0, 1.0, 0.0}}, 0.4, 0.0}};
+            Simulation simulation(scene);
+            simulation.set_grips(std::vector<Grip>{{12, {1.5, 2.0, 0.2}, 30.0, 0.1}});
+            EXPECT_EQ(allocations_of_frames(simulation, 5), 0) << info.name;
+        }
+    }
+}
+
 // The automatic step looks at the cloth every eighth frame, with two arrays; its steps take none.
 TEST(Allocation, IsTwoArraysInEightFramesUnderTheAutomaticStep) {
     SceneDescription scene = small_flag(false, Precision::f32);

@@ -52,6 +52,24 @@ TEST(AutomaticMethod, HasNoReasonWhereTheSceneNamesIt) {
     EXPECT_EQ(simulation.method_reason(), "");
 }
 
+// Contact acts between steps (docs/contact.md).
+TEST(AutomaticMethod, AmongObstaclesIsOfOneStageAndItsStepsShort) {
+    SceneDescription scene = curtain(40, 40, 1e8);
+    scene.obstacles = {ObstacleDescription{}};
+    const Simulation stiff(scene);
+    EXPECT_EQ(stiff.method(), "implicit-euler");
+    EXPECT_DOUBLE_EQ(stiff.time_step(), 1.0 / 240);
+    for (const IntegratorInfo& info : integrator_catalogue()) {
+        scene = curtain(6, 6, 100.0);
+        scene.obstacles = {ObstacleDescription{}};
+        scene.integrator.method = std::string(info.name);
+        if (info.imaginary_limit == 0.0) continue;
+        const bool one_stage = info.kind == IntegratorKind::implicit && info.order == 1;
+        EXPECT_LE(Simulation(scene).time_step(), (one_stage ? 1.0 / 240 : 1.0 / 480) + 1e-12)
+            << info.name;
+    }
+}
+
 // One step a frame for those that choose their own, the catalogue's for those without a limit.
 TEST(AutomaticStep, IsTheMethodsOwn) {
     for (const IntegratorInfo& info : integrator_catalogue()) {

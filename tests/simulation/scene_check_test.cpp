@@ -108,6 +108,37 @@ INSTANTIATE_TEST_SUITE_P(
                   negative},
         BadNumber{"material.bend.damping", [](S& s, double v) { s.material.bend.damping = v; },
                   negative},
+        BadNumber{"obstacles[1].sphere.centre",
+                  [](S& s, double v) {
+                      s.obstacles = {{}, {SphereObstacle{{0.0, v, 0.0}, 0.1}}};
+                  },
+                  not_finite},
+        BadNumber{"obstacles[1].sphere.radius",
+                  [](S& s, double v) {
+                      s.obstacles = {{}, {SphereObstacle{{}, v}}};
+                  },
+                  not_positive},
+        BadNumber{"obstacles[0].plane.point",
+                  [](S& s, double v) {
+                      s.obstacles = {{PlaneObstacle{{v, 0.0, 0.0}}}};
+                  },
+                  not_finite},
+        BadNumber{"obstacles[0].plane.normal",
+                  [](S& s, double v) {
+                      s.obstacles = {{PlaneObstacle{{}, {0.0, 0.0, v}}}};
+                  },
+                  {0.0, -0.0, nan, infinity}},
+        BadNumber{"obstacles[0].friction",
+                  [](S& s, double v) {
+                      s.obstacles = {{{}, v}};
+                  },
+                  {-1e-300, 10.1, nan, infinity}},
+        BadNumber{"obstacles[0].gap",
+                  [](S& s, double v) {
+                      s.obstacles = {{{}, 0.4, v}};
+                  },
+                  {-1e-300, 1.001, nan, infinity}},
+        BadNumber{"start.time", [](S& s, double v) { s.start.time = v; }, negative},
         BadNumber{"forces.gravity", [](S& s, double v) { s.forces.gravity.y = v; }, not_finite},
         BadNumber{"forces.damping", [](S& s, double v) { s.forces.damping = v; }, negative},
         BadNumber{"wind.velocity", [](S& s, double v) { s.wind->velocity.x = v; }, not_finite},
@@ -128,20 +159,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadNumber{"render.field_of_view",
                   [](S& s, double v) { s.render.field_of_view = v; },
                   {0.0, 180.0, -1.0, nan, infinity}},
-        BadNumber{"render.camera",
-                  [](S& s, double v) {
-                      s.render.camera = Vec3d{v, 0.0, 0.0};
-                  },
+        BadNumber{"render.camera", [](S& s, double v) { s.render.camera = Vec3d{v, 0.0, 0.0}; },
                   not_finite},
-        BadNumber{"render.target",
-                  [](S& s, double v) {
-                      s.render.target = Vec3d{0.0, v, 0.0};
-                  },
+        BadNumber{"render.target", [](S& s, double v) { s.render.target = Vec3d{0.0, v, 0.0}; },
                   not_finite}),
     [](const auto& number) {
         std::string name = number.param.key;
         for (char& c : name) {
-            if (c == '.') c = '_';
+            if (c == '.' || c == '[' || c == ']') c = '_';
         }
         return name + "_" + std::to_string(number.index);
     });
@@ -166,6 +191,40 @@ TEST(CheckScene, SaysValueAndWhatIsAllowed) {
               "\"auto\"");
     EXPECT_EQ(refusal([](S& s) { s.material.fabric = "jute"; }),
               "material.fabric: \"jute\" is not allowed: silk, cotton, wool, denim, leather, flag");
+}
+
+TEST(CheckScene, RefusesTooManyObstaclesAndRestAmongThem) {
+    const auto with = [](std::size_t count) {
+        return [count](S& s) { s.obstacles.resize(count); };
+    };
+    EXPECT_EQ(refusal(with(64)), "");
+    EXPECT_EQ(refusal(with(65)), "obstacles: a list of 65 is not allowed: at most 64");
+    EXPECT_EQ(refusal([](S& s) {
+                  s.obstacles.resize(1);
+                  s.output.settle = true;
+              }),
+              "output.settle: true is not allowed: false with [[obstacles]]; what rests on them is "
+              "not found yet");
+}
+
+TEST(CheckScene, RefusesStatesThatAreNotOfTheCloth) {
+    const auto with = [](std::size_t positions, std::size_t velocities, double value) {
+        return [=](S& s) {
+            ClothState state{std::vector<Vec3d>(positions), std::vector<Vec3d>(velocities)};
+            if (velocities > 7) state.velocities[7].z = value;
+            s.start.state = std::make_shared<ClothState>(state);
+        };
+    };
+    EXPECT_EQ(refusal(with(2501, 2501, 1.0)), "");
+    EXPECT_EQ(refusal(with(2500, 2500, 0.0)),
+              "start.state: a state of 2500 particles is not allowed: 2501 in a grid of 61 x 41");
+    EXPECT_EQ(refusal(with(2501, 2500, 0.0)),
+              "start.state: a state of 2501 positions and 2500 velocities is not allowed: as many "
+              "of both");
+    EXPECT_EQ(refusal(with(2501, 2501, nan)),
+              "start.state: position [0, 0, 0] and velocity [0, 0, nan] of particle 7 is not "
+              "allowed: finite numbers");
+    EXPECT_EQ(refused_key([](S& s) { s.start.state_path = "never loaded.npy"; }), "start.state");
 }
 
 TEST(CheckScene, RefusesPinsThatPickNothingSensible) {

@@ -24,8 +24,9 @@ bool same_cloth(const SceneDescription& a, const SceneDescription& b) {
     const auto part = [](const nlohmann::json& json, const char* key) {
         return json.contains(key) ? json.at(key) : nlohmann::json();
     };
-    return std::ranges::all_of(std::array{"cloth", "material", "pins", "forces", "wind"},
-                               [&](const char* key) { return part(one, key) == part(other, key); });
+    return std::ranges::all_of(
+        std::array{"cloth", "material", "pins", "obstacles", "start", "forces", "wind"},
+        [&](const char* key) { return part(one, key) == part(other, key); });
 }
 
 bool has_moving_pins(const SceneDescription& scene) {

@@ -11,11 +11,7 @@ void main() {
     vec3 horizon = sky(normalize(vec3(position.x - eye.x, 0.0, position.z - eye.z)));
 
     float lit = sunlight(position, shadow.w, 6);
-    float open = 1.0;   // less of the sky is seen close to the mast
-    if (mast.w > 0.0) {
-        float gap = max(distance(position.xz, mast.xz) / mast.w - 1.0, 0.0);
-        open = 1.0 - 0.55 / (1.0 + 0.35 * gap * gap);
-    }
+    float open = open_sky(position);
     vec3 albedo = vec3(0.335, 0.33, 0.315);
     vec3 light = albedo * (sun_light * to_sun.y * lit + sky_light * (0.9 * open));
     pixel = vec4(tone(mix(light, horizon, haze)), 1.0);

@@ -1,5 +1,4 @@
-// What fragment shaders share: light, sky, shadow and tone. Colours are linear until tone() makes
-// sRGB of them.
+// Light, sky and tone. Colours are linear until encode() makes sRGB of them.
 
 const vec3 sun_light = vec3(1.62, 1.50, 1.30);
 const vec3 sky_light = vec3(0.34, 0.41, 0.51);
@@ -23,9 +22,9 @@ vec3 sky(vec3 direction) {
     return mix(colour, vec3(0.34, 0.33, 0.32), depth);
 }
 
-// 8-bit sRGB from light: linear up to a shoulder, above it bent toward white by its strongest
-// channel so that hues keep; a trace of noise hides the steps of 8 bits in the sky.
-vec3 tone(vec3 light) {
+// sRGB from light: linear up to a shoulder, above it bent toward white by its strongest channel so
+// that hues keep.
+vec3 encode(vec3 light) {
     const float shoulder = 0.66;
     float peak = max(light.r, max(light.g, light.b));
     if (peak > shoulder) {
@@ -36,35 +35,5 @@ vec3 tone(vec3 light) {
     }
     vec3 low = 12.92 * light;
     vec3 high = 1.055 * pow(max(light, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055;
-    vec3 encoded = mix(high, low, lessThan(light, vec3(0.0031308)));
-    float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-    return encoded + (noise - 0.5) / 255.0;
-}
-
-// How much of the sun reaches a point: the mean of n x n taps of the shadow map, `spacing` texels
-// apart; each tap is itself a blend of four.
-uniform sampler2DShadow shadow_map;
-
-float sunlight(vec3 place, float spacing, int n) {
-    vec3 spot = (to_shadow * vec4(place, 1.0)).xyz;
-    bool inside = all(greaterThan(spot, vec3(0.0))) && all(lessThan(spot, vec3(1.0)));
-    float first = -0.5 * float(n - 1) * spacing * shadow.x;
-
-    // Most points are all in light or all in shade: four corners and the middle tell. Loops, not
-    // branches, because drivers that draw on the processor run both sides of a branch.
-    int hints = inside ? 5 : 0;
-    float hint = inside ? 0.0 : 5.0;
-    for (int i = 0; i < hints; ++i) {
-        vec2 corner = i == 4 ? vec2(0.0) : vec2(i & 1, i >> 1) * 2.0 - 1.0;
-        hint += textureLod(shadow_map, spot + vec3(corner * first, 0.0), 0.0);
-    }
-    bool edge = hint > 0.0 && hint < 5.0;
-    int taps = edge ? n * n : 0;
-    float lit = edge ? 0.0 : 0.2 * hint;
-    float share = 1.0 / float(n * n);
-    for (int i = 0; i < taps; ++i) {
-        vec2 tap = vec2(i % n, i / n) * (spacing * shadow.x) + first;
-        lit += share * textureLod(shadow_map, spot + vec3(tap, 0.0), 0.0);
-    }
-    return lit;
+    return mix(high, low, lessThan(light, vec3(0.0031308)));
 }

@@ -8,4 +8,6 @@ layout(std140) uniform Scene {
     vec4 ground;      // the point below the cloth's middle; w: size of the cloth
     vec4 shadow;      // texel in the map, texel [m], tap step on cloth and on ground [texels]
     vec4 mast;        // foot; w: radius, 0 where there is none
+    vec4 balls[8];    // spheres near the ground: centre; w: radius
+    vec4 counts;      // x: of balls
 };

@@ -1,0 +1,23 @@
+// A solid on the graphics side.
+#pragma once
+
+#include "render/gl_object.h"
+#include "render/solid.h"
+
+namespace weft {
+
+class SolidMesh {
+public:
+    SolidMesh();
+
+    void set(const Solid& solid);  ///< replaces what was there
+    void draw() const;
+    [[nodiscard]] bool empty() const { return index_count_ == 0; }
+
+private:
+    GlVertexArray vertex_array_;
+    GlBuffer vertices_, indices_;
+    GLsizei index_count_ = 0;
+};
+
+}  // namespace weft
