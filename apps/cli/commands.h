@@ -38,6 +38,11 @@ struct RenderOptions : SceneOptions {
     std::optional<std::size_t> frame;  ///< for a single picture
 };
 
+struct ViewOptions : SceneOptions {
+    std::vector<std::string> compare;  ///< methods beside the scene's own
+    bool paused = false;
+};
+
 struct BenchOptions {
     bool json = false;
     bool quick = false;          ///< one repeat, up to 256 x 256
@@ -58,6 +63,7 @@ struct LabCommandOptions {
 
 int run_command(const RunOptions& options);
 int render_command(const RenderOptions& options);
+int view_command(const ViewOptions& options);
 int check_command(const SceneOptions& options);
 int bench_command(const BenchOptions& options);
 int lab_command(const LabCommandOptions& options);
@@ -66,5 +72,7 @@ int list_command(const std::string& what, bool json);
 
 /// Reads the scene with the options' overrides and frames applied.
 SceneDescription load_scene(const SceneOptions& options);
+/// How a recording is to look, which does not say so itself. @param set "render.KEY=VALUE"
+RenderDescription render_settings(const std::vector<std::string>& set);
 
 }  // namespace weft

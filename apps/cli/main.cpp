@@ -77,12 +77,14 @@ public:
             "  weft run flag                          simulate the shipped flag into "
             "weft-out/flag\n"
             "  weft run my.toml --set wind.velocity=[12,0,0] -o out\n"
+            "  weft view flag                         fly it in a window, and touch it\n"
             "  weft render flag -o flag.mp4           make a video of it\n"
             "  weft check sheet                       what is stable, and how large the scene is\n"
             "  weft lab --quick sheet                 measure every method on it; report.html\n"
             "Exit status: 0 done, 1 diverged, 2 wrong command line or scene, 3 reading or writing\n"
             "failed, 130 interrupted.");
         add_run();
+        add_view();
         add_render();
         add_check();
         add_lab();
@@ -119,6 +121,32 @@ private:
         command->add_flag("--json", run_.json, "Print summary.json on standard output")
             ->excludes(quiet);
         command->callback([this] { action_ = [this] { return run_command(run_); }; });
+    }
+    void add_view() {
+        CLI::App* command = app_.add_subcommand(
+            "view", "Open a window: watch, touch and change a cloth as it flies");
+        command->add_option("SCENE", view_.scene,
+                            "Scene file, shipped scene, or recording (.pc2, .mdd, .glb); default: "
+                            "the shipped flag");
+        command
+            ->add_option(
+                "--set", view_.set,
+                "Set a key of the scene: --set integrator.method=rk4; of a recording, keys "
+                "of [render]")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+        command
+            ->add_option("--compare", view_.compare,
+                         "Fly the same scene by these as well, at most three: --compare "
+                         "rk4,implicit-euler")
+            ->type_name("METHODS")
+            ->delimiter(',')
+            ->allow_extra_args(false);
+        command->add_flag("--paused", view_.paused, "Wait for the space bar");
+        add_threads(*command, view_);
+        command->add_flag("--json", view_.json,
+                          "When the window closes, print what happened in it");
+        command->callback([this] { action_ = [this] { return view_command(view_); }; });
     }
     void add_render() {
         CLI::App* command =
@@ -203,6 +231,7 @@ private:
 
     CLI::App app_{"weft: cloth simulation engine and integrator laboratory", "weft"};
     RunOptions run_;
+    ViewOptions view_;
     RenderOptions render_;
     SceneOptions check_;
     LabCommandOptions lab_;

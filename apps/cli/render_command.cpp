@@ -101,20 +101,6 @@ int render_scene(const RenderOptions& options, const std::filesystem::path& targ
     return status;
 }
 
-RenderDescription render_settings(const RenderOptions& options) {
-    // A recording says nothing of how it is to look: the settings are those of an empty scene.
-    std::vector<SceneOverride> overrides{{"render.mast", "false"}, {"render.texture", "linen"}};
-    for (const std::string& setting : options.set) {
-        const std::size_t equals = setting.find('=');
-        if (setting.rfind("render.", 0) != 0 || equals == std::string::npos) {
-            throw Error(ErrorKind::usage, {.key = "--set " + setting},
-                        "for a recording, only keys of [render] can be set, as render.KEY=VALUE");
-        }
-        overrides.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
-    }
-    return parse_scene("version = 1\n", "recording", overrides).render;
-}
-
 int render_recording(const RenderOptions& options, const std::filesystem::path& target) {
     RecordingFile recording(options.scene);
     std::size_t count = recording.frame_count();
@@ -124,7 +110,7 @@ int render_recording(const RenderOptions& options, const std::filesystem::path& 
     plan.surface = &recording.surface();
     plan.frame_count = count;
     plan.frames_per_second = recording.frames_per_second();
-    plan.render = render_settings(options);
+    plan.render = render_settings(options.set);
     plan = plan_for(plan, target);
     check_before(target, plan.render);
     if (target.extension() == ".png") {
@@ -157,6 +143,20 @@ int render_recording(const RenderOptions& options, const std::filesystem::path& 
 }
 
 }  // namespace
+
+RenderDescription render_settings(const std::vector<std::string>& set) {
+    // A recording says nothing of how it is to look: the settings are those of an empty scene.
+    std::vector<SceneOverride> overrides{{"render.mast", "false"}, {"render.texture", "linen"}};
+    for (const std::string& setting : set) {
+        const std::size_t equals = setting.find('=');
+        if (setting.rfind("render.", 0) != 0 || equals == std::string::npos) {
+            throw Error(ErrorKind::usage, {.key = "--set " + setting},
+                        "for a recording, only keys of [render] can be set, as render.KEY=VALUE");
+        }
+        overrides.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+    }
+    return parse_scene("version = 1\n", "recording", overrides).render;
+}
 
 int render_command(const RenderOptions& options) {
     const std::filesystem::path target = checked_target(options);

@@ -6,7 +6,7 @@ import re
 from weft_command import METHODS, SOURCE, UNLIMITED, CommandTest, settings, unittest
 
 FORMATS = {"pc2", "mdd", "glb", "npy", "obj", "ply", "png", "mp4", "webm", "gif"}
-SHIPPED = ["banner", "curtain", "flag", "mesh-cape", "sheet"]
+SHIPPED = ["banner", "curtain", "drape", "flag", "mesh-cape", "sheet"]
 
 
 class HelpTest(CommandTest):

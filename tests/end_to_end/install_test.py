@@ -51,7 +51,7 @@ class InstallTest(CommandTest):
         listed = json.loads(self.done(moved / "bin" / "weft", "list", "scenes", "--json",
                                       cwd=self.place / "work"))["scenes"]
         self.assertEqual([row["name"] for row in listed],
-                         ["banner", "curtain", "flag", "mesh-cape", "sheet"])
+                         ["banner", "curtain", "drape", "flag", "mesh-cape", "sheet"])
         for row in listed:
             self.assertTrue(row["path"].startswith(str(moved) + os.sep), row)
         self.done(moved / "bin" / "weft", "run", "mesh-cape", "--frames", 1, "--quiet",
