@@ -19,6 +19,7 @@ namespace weft::viewer {
 
 namespace {
 
+constexpr int frames_of_opening = 5;
 constexpr int smallest_width = 480, smallest_height = 320;
 
 [[noreturn]] void throw_no_window(const std::string& what) {
@@ -217,7 +218,9 @@ void GlfwWindow::draw_imgui() {
 
 void GlfwWindow::end_frame() {
     glfwSwapBuffers(window_);
-    if (!answered_input_) return;
+    // The first frames compile shaders, and the inputs they answer are those of the window opening.
+    if (frames_shown_ < frames_of_opening) ++frames_shown_;
+    if (!answered_input_ || frames_shown_ < frames_of_opening) return;
     glFinish();  // else the time would be that of handing the work over
     latencies_.add(seconds_between(*answered_input_, Clock::now()));
 }

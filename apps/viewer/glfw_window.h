@@ -56,7 +56,8 @@ public:
     };
     [[nodiscard]] FramebufferSize framebuffer() const;
     [[nodiscard]] float pixels_per_unit() const;  ///< of the framebuffer, a screen unit
-    /// From the moment an input was taken from the system to that at which its frame was shown.
+    /// From the moment an input was taken from the system to that at which its frame was shown; not
+    /// while the window opens.
     [[nodiscard]] const Durations& latencies() const { return latencies_; }
 
 private:
@@ -70,6 +71,7 @@ private:
     double refresh_rate_ = 60.0;
     std::optional<Clock::time_point> input_since_, answered_input_;
     Durations latencies_;
+    int frames_shown_ = 0;  ///< while the window opens
     std::vector<KeyPress> keys_;
     std::vector<std::string> dropped_;
     std::string title_;

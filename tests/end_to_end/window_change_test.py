@@ -114,7 +114,18 @@ class TouchTest(ChangeTest):
         window = self.window(self.small_scene(), panels=False)
         plain = window.picture()
         window.see("o")
-        window.keep("sphere")
+        with_ball = window.keep("sphere")
+        rows, columns = np.nonzero(changed(plain, with_ball))
+        x, y = int(np.median(columns)), int(np.median(rows))
+        [dropped] = self.saved(window, "dropped.toml")["obstacles"]
+        window.drag((x, y), (x + 30, y - 20), (x + 80, y - 50))
+        window.keep("moved")
+        [moved] = self.saved(window, "moved.toml")["obstacles"]
+        shift = np.subtract(moved["sphere"]["centre"], dropped["sphere"]["centre"])
+        self.assertGreater(shift[0], 0.0, "to the right")
+        self.assertGreater(shift[1], 0.0, "and up")
+        self.assertEqual(moved["sphere"]["radius"], dropped["sphere"]["radius"])
+        window.see("ctrl+z", like=with_ball)
         window.key("p")
         window.settle()
         window.keep("sphere-and-plane")
@@ -123,13 +134,17 @@ class TouchTest(ChangeTest):
         window.key("ctrl+z")
         window.settle()
         [sphere] = self.saved(window, "one.toml")["obstacles"]
-        self.assertEqual(sphere, obstacles[0])
+        self.assertEqual(sphere, dropped)
         window.see("ctrl+z", like=plain)
         self.assertNotIn("obstacles", self.saved(window, "none.toml"))
         window.close()
 
 
 class NumberTest(ChangeTest):
+    def slider_at(self, window, box):
+        """Whether a slider is there and not the field that one types into."""
+        return boxes_of(window.picture()[box[1]:box[3], :300], FILL, smallest=400)
+
     def test_sliders_take_numbers_from_the_keyboard(self):
         window = self.window("sheet")
         panel = window.picture()[:, :300]
@@ -140,8 +155,7 @@ class NumberTest(ChangeTest):
         window.key("ctrl+a")
         window.type("400")
         window.keep("typed")
-        window.hold("Return", lambda: boxes_of(window.picture()[structural[1]:structural[3], :300], FILL, 400),
-                     "slider again")
+        window.hold("Return", lambda: self.slider_at(window, structural), "slider again")
         window.settle()
         self.assertLess(step[1], structural[1])
         window.step(5)
@@ -165,8 +179,7 @@ class NumberTest(ChangeTest):
         window.xdotool("keydown", "ctrl", "click", 1, "keyup", "ctrl")
         window.key("ctrl+a")
         window.type("-1")
-        window.hold("Return", lambda: boxes_of(window.picture()[step[1]:step[3], :300], FILL, 400),
-                     "slider again")
+        window.hold("Return", lambda: self.slider_at(window, step), "slider again")
         window.settle()
         window.keep("refused")
         scene = self.saved(window)
