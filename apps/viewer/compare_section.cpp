@@ -94,6 +94,7 @@ void compare_section(Workbench& bench) {
     const FlightView& view = bench.view();
     bool changed = false;
     std::optional<std::size_t> removed;
+    ImGui::PushID("lanes");
     for (std::size_t k = 0; k < lanes.size(); ++k) {
         ImGui::PushID(static_cast<int>(k));
         bool remove = false;
@@ -102,6 +103,7 @@ void compare_section(Workbench& bench) {
         if (remove) removed = k;
         ImGui::PopID();
     }
+    ImGui::PopID();
     if (removed) lanes.erase(lanes.begin() + static_cast<std::ptrdiff_t>(*removed));
     if (changed || removed) bench.set_lanes(lanes);
     if (bench.lanes().size() + 1 < most_lanes) {

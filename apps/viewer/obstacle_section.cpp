@@ -58,6 +58,7 @@ void obstacle_section(Workbench& bench, const Act& act) {
     if (!section("Obstacles", true)) return;
     std::optional<std::size_t> removed;
     int spheres = 0, planes = 0;
+    ImGui::PushID("obstacles");
     for (std::size_t k = 0; k < bench.scene().obstacles.size(); ++k) {
         const bool is_sphere =
             std::holds_alternative<SphereObstacle>(bench.scene().obstacles[k].shape);
@@ -67,6 +68,7 @@ void obstacle_section(Workbench& bench, const Act& act) {
         if (obstacle_rows(bench, k, name)) removed = k;
         ImGui::PopID();
     }
+    ImGui::PopID();
     if (removed) {
         bench.edit(without_obstacle(bench.scene(), *removed), "obstacle");
         bench.end_gesture();
