@@ -78,6 +78,7 @@ double Application::patience() const {
 }
 
 void Application::draw() {
+    note_frame();
     news_ = false;
     frames_due_ = std::max(0, frames_due_ - 1);
     window_.begin_frame();
@@ -92,7 +93,6 @@ void Application::draw() {
     window_.draw_imgui();
     if (screenshot_wanted_) take_screenshot();
     window_.end_frame();
-    note_frame();
 }
 
 std::vector<std::string> lane_label(const LaneView& lane) {
@@ -171,6 +171,7 @@ void Application::update_title() {
         fmt::format("{} - weft{}", bench_.title(), bench_.playing() ? "" : " - paused"));
 }
 
+// At its beginning: what is due then counts from there.
 void Application::note_frame() {
     const Clock::time_point now = Clock::now();
     const double interval = seconds_between(last_frame_, now);

@@ -14,8 +14,8 @@ namespace weft::viewer {
 class DrawQuality {
 public:
     /// @param levels at least 1.  @param first the level to begin with.
-    /// @param limit for drawing [ms].
-    explicit DrawQuality(std::size_t levels, std::size_t first = 0, double limit = 22.0);
+    /// @param limit for drawing [ms]; panels and showing the frame take as much again.
+    explicit DrawQuality(std::size_t levels, std::size_t first = 0, double limit = 14.0);
 
     /// What drawing at the present level took.  @param time of the sample, rising [s].
     void add(double time, double milliseconds);

@@ -55,7 +55,7 @@ TEST(DrawQuality, TheCheapestLevelIsKeptHoweverSlowItIs) {
 
 TEST(DrawQuality, DoesNotFlickerBetweenALevelThatFitsAndOneThatJustDoesNot) {
     DrawQuality quality(4);
-    Machine machine{{40.0, 24.0, 17.0, 12.0}};
+    Machine machine{{26.0, 15.5, 11.0, 8.0}};
     machine.run(quality, 600.0);
     EXPECT_EQ(quality.level(), 2U);
     EXPECT_EQ(machine.changes, 2);
