@@ -9,10 +9,14 @@ namespace {
 std::atomic<bool> counting = false;
 std::atomic<long> allocations = 0;
 
-void* count_and_allocate(std::size_t size, std::size_t alignment) {
+void* try_to_allocate(std::size_t size, std::size_t alignment) noexcept {
     if (counting) ++allocations;
     const std::size_t whole = (size + alignment - 1) / alignment * alignment;
-    void* memory = std::aligned_alloc(alignment, whole > 0 ? whole : alignment);
+    return std::aligned_alloc(alignment, whole > 0 ? whole : alignment);
+}
+
+void* count_and_allocate(std::size_t size, std::size_t alignment) {
+    void* const memory = try_to_allocate(size, alignment);
     if (memory == nullptr) throw std::bad_alloc();
     return memory;
 }
@@ -29,6 +33,13 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
 }
 void* operator new[](std::size_t size, std::align_val_t alignment) {
     return count_and_allocate(size, static_cast<std::size_t>(alignment));
+}
+// Of std::stable_sort, for one.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return try_to_allocate(size, alignof(std::max_align_t));
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+    return try_to_allocate(size, alignof(std::max_align_t));
 }
 void operator delete(void* memory) noexcept {
     std::free(memory);
