@@ -19,5 +19,5 @@ Look at these:
   $out/flag.glb                 the animation for a web page, or any glTF viewer
   $out/open_in_blender.py       blender --python $out/open_in_blender.py
   $out/summary.json             what was run, and what came of it
-Then try: ./build/release/weft --help
+Then try: ./build/release/weft view flag     (where there is a display), or ./build/release/weft --help
 TEXT
