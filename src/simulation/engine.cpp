@@ -163,16 +163,16 @@ void ClothEngine<Real>::change_integrator() {
     if (motion_.has_integrator()) counts_before_ = solver_counts();
     method_ = choice;
     motion_.system().forget_implicit_system();
-    const IntegratorDescription& chosen = scene_.integrator;
-    motion_.set_integrator(make_integrator<Real>(
-        method_.method, {options_.instruction_set, solver_tolerance(scene_, cloth_, method_.method),
-                         chosen.iterations, chosen.time_step}));
     if (follows_stability() && !analysis_) {
         analysis_.emplace(cloth_, scene_.forces, options_.instruction_set, options_.threads);
         modes_ = analysis_->find(x());
     } else if (!follows_stability()) {
         analysis_.reset();
     }
+    const IntegratorDescription& chosen = scene_.integrator;
+    motion_.set_integrator(make_integrator<Real>(
+        method_.method, {options_.instruction_set, solver_tolerance(scene_, cloth_, method_.method),
+                         chosen.iterations, chosen.time_step}));
     motion_.filter().suit(*find_integrator(method_.method));
     set_grips(std::vector<Grip>(grips_));
 }
