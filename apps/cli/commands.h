@@ -70,6 +70,10 @@ int lab_command(const LabCommandOptions& options);
 /// @param what "integrators", "fabrics", "scenes", "formats", "experiments" or "keys"
 int list_command(const std::string& what, bool json);
 
+/// @param option that names methods, "--methods"; with_auto: "auto" is one.
+/// @throws Error (usage) where there is no such method, naming the nearest.
+void check_methods(const std::string& option, const std::vector<std::string>& methods,
+                   bool with_auto);
 /// Reads the scene with the options' overrides and frames applied.
 SceneDescription load_scene(const SceneOptions& options);
 /// How a recording is to look, which does not say so itself. @param set "render.KEY=VALUE"

@@ -80,17 +80,6 @@ SceneDescription load_named(const LabCommandOptions& options, const std::string&
     }
 }
 
-void check_methods(const std::vector<std::string>& methods) {
-    std::vector<std::string_view> known;
-    for (const IntegratorInfo& info : integrator_catalogue()) known.push_back(info.name);
-    for (const std::string& method : methods) {
-        if (find_integrator(method) != nullptr) continue;
-        throw Error(ErrorKind::usage, {.key = "--methods"},
-                    fmt::format("\"{}\" is no method{}", method, did_you_mean(method, known)),
-                    "Run \"weft list integrators\" for all of them.");
-    }
-}
-
 std::string quoted(const std::string& word) {
     const bool plain = word.find_first_of(" \t\"'\\$`*?[]{}()<>|&;!#~") == std::string::npos;
     return plain && !word.empty() ? word : "'" + word + "'";
@@ -172,10 +161,23 @@ void print_file(const std::filesystem::path& path) {
 
 }  // namespace
 
+void check_methods(const std::string& option, const std::vector<std::string>& methods,
+                   bool with_auto) {
+    std::vector<std::string_view> known;
+    for (const IntegratorInfo& info : integrator_catalogue()) known.push_back(info.name);
+    if (with_auto) known.emplace_back("auto");
+    for (const std::string& method : methods) {
+        if (std::find(known.begin(), known.end(), method) != known.end()) continue;
+        throw Error(ErrorKind::usage, {.key = option},
+                    fmt::format("\"{}\" is no method{}", method, did_you_mean(method, known)),
+                    "Run \"weft list integrators\" for all of them.");
+    }
+}
+
 int lab_command(const LabCommandOptions& options) {
     Words words = sort_words(options.words);
     check_scenes(words);
-    check_methods(options.methods);
+    check_methods("--methods", options.methods, false);
     lab::StudyPlan plan;
     for (const std::string& name : words.scenes) plan.scenes.push_back(load_named(options, name));
     plan.experiments = words.experiments;

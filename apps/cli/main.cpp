@@ -42,11 +42,13 @@ namespace {
 constexpr std::size_t most_frames = 100'000'000;
 constexpr int most_threads = 1024;
 
+void add_set(CLI::App& command, std::vector<std::string>& set, const char* help) {
+    command.add_option("--set", set, help)->type_name("KEY=VALUE")->allow_extra_args(false);
+}
+
 void add_scene(CLI::App& command, SceneOptions& options, const char* help) {
     command.add_option("SCENE", options.scene, help)->required();
-    command.add_option("--set", options.set, "Set a key of the scene: --set integrator.method=rk4")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+    add_set(command, options.set, "Set a key of the scene: --set integrator.method=rk4");
 }
 
 void add_frames(CLI::App& command, SceneOptions& options) {
@@ -128,13 +130,9 @@ private:
         command->add_option("SCENE", view_.scene,
                             "Scene file, shipped scene, or recording (.pc2, .mdd, .glb); default: "
                             "the shipped flag");
-        command
-            ->add_option(
-                "--set", view_.set,
-                "Set a key of the scene: --set integrator.method=rk4; of a recording, keys "
-                "of [render]")
-            ->type_name("KEY=VALUE")
-            ->allow_extra_args(false);
+        add_set(*command, view_.set,
+                "Set a key of the scene: --set integrator.method=rk4; of a recording, keys of "
+                "[render]");
         command
             ->add_option("--compare", view_.compare,
                          "Fly the same scene by these as well, at most three: --compare "
@@ -178,10 +176,7 @@ private:
         command->add_option("EXPERIMENT|SCENE", lab_.words,
                             "Experiments (weft list experiments; default: all), and a scene "
                             "(default: sheet); or \"compare\" and two scenes");
-        command
-            ->add_option("--set", lab_.set, "Set a key of the scene: --set cloth.resolution=[9,9]")
-            ->type_name("KEY=VALUE")
-            ->allow_extra_args(false);
+        add_set(*command, lab_.set, "Set a key of the scene: --set cloth.resolution=[9,9]");
         command
             ->add_option("-o,--output", lab_.directory,
                          "Directory (default weft-lab/NAME); a study that was interrupted goes on")

@@ -6,29 +6,22 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "io/recording_file.h"
+#include "viewer/flight.h"
 #include "viewer/window.h"
 #include "weft/error.h"
-#include "weft/integrators.h"
 
 namespace weft {
 
 namespace {
 
-constexpr std::size_t most_compared = 3;
-
-void check_methods(const std::vector<std::string>& methods) {
+void check_compared(const std::vector<std::string>& methods) {
+    constexpr std::size_t most_compared = viewer::most_lanes - 1;
     if (methods.size() > most_compared) {
         throw Error(ErrorKind::usage, {.key = "--compare"},
                     fmt::format("{} methods are too many: at most {} fly beside the scene's own",
                                 methods.size(), most_compared));
     }
-    for (const std::string& method : methods) {
-        if (method != "auto" && find_integrator(method) == nullptr) {
-            throw Error(ErrorKind::usage, {.key = "--compare"},
-                        fmt::format("there is no method \"{}\"", method),
-                        "weft list integrators lists them.");
-        }
-    }
+    check_methods("--compare", methods, true);
 }
 
 viewer::WindowRequest window_request(const ViewOptions& options) {
@@ -37,7 +30,7 @@ viewer::WindowRequest window_request(const ViewOptions& options) {
     request.paused = options.paused;
     request.compare = options.compare;
     request.interrupted = interrupted;
-    check_methods(options.compare);
+    check_compared(options.compare);
     if (is_recording(options.scene)) {
         if (!options.compare.empty()) {
             throw Error(ErrorKind::usage, {.key = "--compare"},

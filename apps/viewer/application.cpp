@@ -21,6 +21,17 @@ constexpr double pause_of_frames = 0.2;  // longer, and two frames did not follo
 constexpr double rested = 0.7;           // a mouse that rests: longer than tooltips wait [s]
 constexpr int frames_after_input = 3;
 
+// What a lane says of itself over its cloth. Its energy is that of the plots, which counts from the
+// start.
+std::vector<std::string> lane_label(const LaneView& lane, const LaneMeasurements& measured) {
+    std::vector<std::string> lines{
+        lane.method, fmt::format("{:.2f} s", lane.frame.time),
+        fmt::format("step {:.3g} s, {} a frame", lane.time_step, lane.steps_per_frame)};
+    if (lane.milliseconds > 0.0) lines.push_back(brief(lane.milliseconds, 3) + " ms a frame");
+    lines.push_back("energy " + with_unit(measured.total.values().back(), "J"));
+    return lines;
+}
+
 }  // namespace
 
 Application::Application(const WindowRequest& request)
@@ -95,13 +106,6 @@ void Application::draw() {
     window_.end_frame();
 }
 
-std::vector<std::string> lane_label(const LaneView& lane) {
-    return {lane.method, fmt::format("{:.2f} s", lane.frame.time),
-            fmt::format("step {:.3g} s, {} a frame", lane.time_step, lane.steps_per_frame),
-            brief(lane.milliseconds, 3) + " ms a frame",
-            "energy " + with_unit(lane.energy.total(), "J")};
-}
-
 void Application::draw_cloths(const WindowLayout& layout) {
     Shown shown;
     shown.paused = !bench_.playing();
@@ -111,8 +115,12 @@ void Application::draw_cloths(const WindowLayout& layout) {
         shown.touchable = false;
     } else {
         const FlightView& view = bench_.view();
-        for (const LaneView& lane : view.lanes) {
-            shown.cloths.push_back({lane.shape, lane.frame.view(), lane_label(lane), {}});
+        for (std::size_t k = 0; k < view.lanes.size(); ++k) {
+            const LaneView& lane = view.lanes[k];
+            shown.cloths.push_back({lane.shape,
+                                    lane.frame.view(),
+                                    lane_label(lane, bench_.measurements.lanes()[k]),
+                                    {}});
             if (lane.divergence) {
                 shown.cloths.back().note = fmt::format(
                     "diverged at step {}, {:.4g} s", lane.divergence->step, lane.divergence->time);
@@ -147,10 +155,11 @@ void Application::draw_panels(const WindowLayout& layout) {
         end_panel();
     }
     if (layout.know.width > 0.0F) {
+        const auto measure = [this] { return measures(); };
         if (bench_.plays_recording()) {
-            recording_facts(layout.know, bench_, measures());
+            recording_facts(layout.know, bench_, measure);
         } else {
-            know_panel(layout.know, bench_, measures());
+            know_panel(layout.know, bench_, measure);
         }
     }
     transport_bar(layout, bench_, settings_, act, [this](const std::string& file) { open(file); });

@@ -44,7 +44,6 @@ private:
     void take_input();
     void act(BoundAction action, bool repeated = false);
     void act_on_scene(BoundAction action);
-    void act_on_settings(Action action);
     void quit();  ///< asks first about changes that would be lost
     void escape();
     /// Asks first about changes that would be lost. @param path_or_name empty: asks what.
@@ -80,8 +79,5 @@ private:
     Durations intervals_;                           ///< between frames that followed each other
     std::size_t frames_drawn_ = 0;
 };
-
-/// What a lane says of itself over its cloth.
-std::vector<std::string> lane_label(const LaneView& lane);
 
 }  // namespace weft::viewer

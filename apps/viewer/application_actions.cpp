@@ -2,12 +2,11 @@
 #include <imgui.h>
 
 #include <chrono>
-#include <span>
 #include <utility>
 
 #include "io/output_file.h"
+#include "io/picture_recorder.h"
 #include "io/recording_file.h"
-#include "render/image.h"
 #include "viewer/application.h"
 #include "viewer/compare_section.h"
 #include "viewer/file_names.h"
@@ -20,11 +19,22 @@ namespace weft::viewer {
 
 namespace {
 
-void write_png(const Image& image, const std::filesystem::path& path) {
-    const std::vector<std::uint8_t> bytes = encode_png(image);
-    OutputFile file(path);
-    file.write(std::as_bytes(std::span(bytes)));
-    file.commit();
+// What an action shows or hides; null: it does something else.
+bool* switch_of(Action action, WindowSettings& settings) {
+    switch (action) {
+        case Action::wireframe:
+            return &settings.wireframe;
+        case Action::panels:
+            return &settings.panels;
+        case Action::particles:
+            return &settings.particles;
+        case Action::normals:
+            return &settings.normals;
+        case Action::wind_arrows:
+            return &settings.wind_arrows;
+        default:
+            return nullptr;
+    }
 }
 
 // Only where one wants more of the same.
@@ -67,7 +77,9 @@ void Application::take_input() {
     for (const KeyPress& press : window_.take_keys()) {
         const auto action = action_of(press.key, press.control, press.shift);
         if (!action) continue;
-        if (in_dialog() && action->action != Action::escape) continue;
+        const bool harmless =
+            action->action == Action::escape || action->action == Action::screenshot;
+        if (in_dialog() && !harmless) continue;
         act(*action, press.repeated);
     }
     for (const std::string& file : window_.take_dropped_files()) {
@@ -83,6 +95,10 @@ void Application::take_input() {
 void Application::act(BoundAction action, bool repeated) {
     news_ = true;
     if (repeated && !goes_on_while_held(action.action)) return;
+    if (bool* shown = switch_of(action.action, settings_)) {
+        *shown = !*shown;
+        return;
+    }
     switch (action.action) {
         case Action::pause:
             return bench_.toggle_play();
@@ -109,40 +125,11 @@ void Application::act(BoundAction action, bool repeated) {
         case Action::faster:
         case Action::slower:
             return bench_.set_speed(next_speed(bench_.speed(), action.action == Action::faster));
-        case Action::wireframe:
-        case Action::panels:
-        case Action::springs:
-        case Action::particles:
-        case Action::normals:
-        case Action::wind_arrows:
-            return act_on_settings(action.action);
-        default:
-            if (!bench_.plays_recording()) act_on_scene(action);
-    }
-}
-
-void Application::act_on_settings(Action action) {
-    switch (action) {
-        case Action::wireframe:
-            settings_.wireframe = !settings_.wireframe;
-            return;
-        case Action::panels:
-            settings_.panels = !settings_.panels;
-            return;
         case Action::springs:
             settings_.springs = (settings_.springs + 1) % 3;
             return;
-        case Action::particles:
-            settings_.particles = !settings_.particles;
-            return;
-        case Action::normals:
-            settings_.normals = !settings_.normals;
-            return;
-        case Action::wind_arrows:
-            settings_.wind_arrows = !settings_.wind_arrows;
-            return;
         default:
-            return;
+            if (!bench_.plays_recording()) act_on_scene(action);
     }
 }
 
@@ -261,13 +248,13 @@ void Application::toggle_recording() {
 void Application::take_screenshot() {
     screenshot_wanted_ = false;
     if (screenshot_.valid()) note_screenshot();
-    GlfwWindow::Pixels pixels = window_.read_pixels();
     screenshot_file_ =
         numbered_file(std::filesystem::current_path(), "weft-" + bench_.stem(), "png");
     screenshot_ =
-        std::async(std::launch::async, [pixels = std::move(pixels), file = screenshot_file_] {
+        std::async(std::launch::async, [image = window_.read_pixels(), path = screenshot_file_] {
             try {
-                write_png({pixels.width, pixels.height, pixels.rgba}, file);
+                OutputFile file(path);
+                write_png(file, image);
             } catch (const std::exception& error) {
                 return std::string(error.what());
             }

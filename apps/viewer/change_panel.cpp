@@ -22,6 +22,18 @@ bool open_at_first(std::string_view name) {
     return name == "Springs" || name == "Wind";
 }
 
+bool applies_to(const SceneDescription& scene, const Parameter& parameter) {
+    return parameter.applies == nullptr || parameter.applies(scene);
+}
+
+bool is_automatic(const SceneDescription& scene, const Parameter& parameter) {
+    return parameter.automatic != nullptr && parameter.automatic(scene);
+}
+
+double frame_length(const SceneDescription& scene) {
+    return 1.0 / scene.output.frames_per_second;
+}
+
 // What the reference of scene files says of a key; that of a vector for its components.
 std::string meaning_of(const Parameter& parameter) {
     std::string_view key = parameter.key;
@@ -33,36 +45,39 @@ std::string meaning_of(const Parameter& parameter) {
 
 std::string tooltip_of(const Parameter& parameter, const SceneDescription& opened) {
     std::string text = meaning_of(parameter);
-    const bool had = parameter.applies == nullptr || parameter.applies(opened);
-    if (had) {
-        const bool automatic = parameter.automatic != nullptr && parameter.automatic(opened);
-        text += fmt::format(
-            "\nRight click: back to {}",
-            automatic ? "auto" : with_unit(parameter.get(opened), unit_of(parameter, opened)));
+    if (applies_to(opened, parameter)) {
+        text += fmt::format("\nRight click: back to {}",
+                            is_automatic(opened, parameter)
+                                ? "auto"
+                                : with_unit(parameter.get(opened), unit_of(parameter, opened)));
     }
     return text + "\nDouble click: type a number";
 }
 
 bool same_value(const Parameter& parameter, const SceneDescription& a, const SceneDescription& b) {
-    const auto is_there = [&](const SceneDescription& scene) {
-        return parameter.applies == nullptr || parameter.applies(scene);
-    };
-    if (!is_there(a) || !is_there(b)) return is_there(a) == is_there(b);
-    if (parameter.automatic != nullptr && parameter.automatic(a) != parameter.automatic(b)) {
-        return false;
-    }
-    return parameter.get(a) == parameter.get(b);
+    const bool in_a = applies_to(a, parameter), in_b = applies_to(b, parameter);
+    if (!in_a || !in_b) return in_a == in_b;
+    return is_automatic(a, parameter) == is_automatic(b, parameter) &&
+           parameter.get(a) == parameter.get(b);
 }
 
-void stable_step_line(const LaneView& lane) {
-    if (!std::isfinite(lane.stable_step)) {
-        coloured_text(colours::faint, "No step is too long to be stable.");
-    } else if (lane.stable_step <= 0.0) {
+// What comes of the step: a whole number of them makes a frame.
+void stable_step_line(const LaneView& lane, const SceneDescription& scene) {
+    const double frame = frame_length(scene), set = scene.integrator.time_step.value_or(0.0);
+    if (lane.stable_step <= 0.0) {
         coloured_text(colours::trouble, "No step of this method is stable here.");
     } else if (lane.time_step > lane.stable_step) {
         coloured_text(
             colours::trouble,
             fmt::format("Beyond the stable {:.4g} s: expect it to blow up.", lane.stable_step));
+    } else if (set > frame) {
+        coloured_text(colours::faint,
+                      fmt::format("A frame is {:.4g} s: steps are no longer.", frame));
+    } else if (set > lane.stable_step) {
+        coloured_text(colours::faint, fmt::format("A frame is {} steps of {:.4g} s, and stable.",
+                                                  lane.steps_per_frame, lane.time_step));
+    } else if (!std::isfinite(lane.stable_step)) {
+        coloured_text(colours::faint, "No step is too long to be stable.");
     } else {
         coloured_text(colours::faint, fmt::format("Stable up to {:.4g} s.", lane.stable_step));
     }
@@ -109,6 +124,11 @@ void show_refusal(const Workbench& bench, const std::string& what) {
         coloured_text(colours::trouble, refusal->text);
 }
 
+void mark_stable_step(SliderLook& look, const LaneView& lane, const SceneDescription& scene) {
+    if (lane.stable_step < frame_length(scene)) look.limit = lane.stable_step;
+    look.beyond = lane.time_step > lane.stable_step;
+}
+
 void see_section(WindowSettings& settings, bool recording) {
     if (!section("See", true)) return;
     const float column =
@@ -139,18 +159,14 @@ void ChangePanel::draw_scene(Workbench& bench, WindowSettings& settings, const A
     ImGui::SameLine();
     if (text_button("Save")) act({Action::save});
     ImGui::SameLine(0.0F, 1.2F * em());
-    const auto what = [](bool can, const char* verb, const std::string& name) {
-        return can ? fmt::format("{} {}", verb, name) : fmt::format("nothing to {}", verb);
-    };
-    if (icon_button(Icon::undo, "undo",
-                    what(history.can_undo(), "undo", history.can_undo() ? history.undo_what() : ""),
-                    history.can_undo())) {
+    const bool undoes = history.can_undo(), redoes = history.can_redo();
+    if (icon_button(Icon::undo, "undo", undoes ? "undo " + history.undo_what() : "nothing to undo",
+                    undoes)) {
         act({Action::undo});
     }
     ImGui::SameLine();
-    if (icon_button(Icon::redo, "redo",
-                    what(history.can_redo(), "redo", history.can_redo() ? history.redo_what() : ""),
-                    history.can_redo())) {
+    if (icon_button(Icon::redo, "redo", redoes ? "redo " + history.redo_what() : "nothing to redo",
+                    redoes)) {
         act({Action::redo});
     }
     ImGui::Spacing();
@@ -169,7 +185,8 @@ void ChangePanel::draw_method(Workbench& bench) {
         bench.set_method(*chosen);
     }
     if (const IntegratorInfo* info = find_integrator(lane.method)) {
-        tooltip_of_last(std::string(info->formula));
+        // It would cover a refusal below.
+        if (bench.refusal("method") == nullptr) tooltip_of_last(std::string(info->formula));
         const std::string summary = summary_of_method(lane.method);
         coloured_text(colours::faint,
                       method == "auto" ? fmt::format("{}: {}", lane.method, summary) : summary);
@@ -179,9 +196,9 @@ void ChangePanel::draw_method(Workbench& bench) {
     flown.integrator.method = lane.method;  // what "auto" came to
     for (const Parameter& parameter : parameters()) {
         if (parameter.section != "Step") continue;
-        if (parameter.applies != nullptr && !parameter.applies(flown)) continue;
+        if (!applies_to(flown, parameter)) continue;
         draw_parameter(parameter, bench);
-        if (parameter.key == "integrator.time_step") stable_step_line(lane);
+        if (parameter.key == "integrator.time_step") stable_step_line(lane, bench.scene());
     }
 }
 
@@ -190,7 +207,7 @@ void ChangePanel::draw_parameters(Workbench& bench) {
     bool open = false;
     for (const Parameter& parameter : parameters()) {
         if (parameter.section == "Step") continue;
-        const bool applies = parameter.applies == nullptr || parameter.applies(bench.scene());
+        const bool applies = applies_to(bench.scene(), parameter);
         // The air has a switch, which stays while its numbers do not apply.
         if (!applies && parameter.section != "Wind") continue;
         if (parameter.section != present) {
@@ -198,9 +215,8 @@ void ChangePanel::draw_parameters(Workbench& bench) {
             open = section(std::string(present).c_str(), open_at_first(present));
             if (open) choices_of(present, bench);
         }
-        if (open && applies && (parameter.applies == nullptr || parameter.applies(bench.scene()))) {
-            draw_parameter(parameter, bench);
-        }
+        // The choices may have changed the scene.
+        if (open && applies_to(bench.scene(), parameter)) draw_parameter(parameter, bench);
     }
 }
 
@@ -208,31 +224,32 @@ void ChangePanel::draw_parameter(const Parameter& parameter, Workbench& bench) {
     const SceneDescription& scene = bench.scene();
     const LaneView& lane = bench.view().lanes.front();
     const bool is_step = parameter.key == "integrator.time_step";
-    const bool automatic = parameter.automatic != nullptr && parameter.automatic(scene);
+    const bool automatic = is_automatic(scene, parameter);
     double value = parameter.get(scene);
     if (const auto held = held_.find(parameter.key); held != held_.end()) value = held->second;
     // The tick beside it leaves little room, and the heading says the rest.
     SliderLook look{.label = is_step ? "Step" : std::string(parameter.label),
                     .unit = std::string(parameter.unit)};
     look.changed = !same_value(parameter, scene, bench.opened_scene());
-    look.tooltip = tooltip_of(parameter, bench.opened_scene());
-    if (is_step && lane.stable_step > 0.0) look.limit = lane.stable_step;
-    if (is_step && lane.stable_step <= 0.0) look.limit = parameter.low;
+    if (is_step) mark_stable_step(look, lane, scene);
     if (automatic) {
         look.automatic = is_step ? with_unit(lane.time_step, look.unit) : "auto";
         if (is_step) value = lane.time_step;
     }
     const std::string id(parameter.key);
     if (parameter.automatic != nullptr) {
-        const float tick = ImGui::GetFrameHeight() + ImGui::CalcTextSize("auto").x +
-                           2.0F * ImGui::GetStyle().ItemInnerSpacing.x;
-        look.width = ImGui::GetContentRegionAvail().x - tick - ImGui::GetStyle().ItemSpacing.x;
+        look.width = ImGui::GetContentRegionAvail().x - tick_width("auto");
     }
     const SliderAnswer answer = value_slider(
         id.c_str(), value, {parameter.low, parameter.high, parameter.logarithmic}, look);
+    const std::string label(parameter.label);
+    // It would cover a refusal below.
+    if (answer.hovered && mouse_rests() && bench.refusal(label) == nullptr) {
+        show_tooltip(tooltip_of(parameter, bench.opened_scene()));
+    }
     take_answer(parameter, bench, answer, value);
     if (parameter.automatic != nullptr) draw_tick(parameter, bench);
-    show_refusal(bench, std::string(parameter.label));
+    show_refusal(bench, label);
 }
 
 // The tick that leaves a number to weft. Taken away, the number is what weft had chosen, or that of
@@ -256,9 +273,9 @@ void ChangePanel::draw_tick(const Parameter& parameter, Workbench& bench) {
 
 void ChangePanel::take_answer(const Parameter& parameter, Workbench& bench,
                               const SliderAnswer& answer, double value) {
-    if (answer.reset && (parameter.applies == nullptr || parameter.applies(bench.opened_scene()))) {
-        const SceneDescription& opened = bench.opened_scene();
-        if (parameter.automatic != nullptr && parameter.automatic(opened)) {
+    const SceneDescription& opened = bench.opened_scene();
+    if (answer.reset && applies_to(opened, parameter)) {
+        if (is_automatic(opened, parameter)) {
             SceneDescription changed = bench.scene();
             parameter.make_automatic(changed);
             bench.edit(changed, std::string(parameter.label));

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
+#include <string_view>
 
 #include "viewer/controls.h"
 #include "viewer/value_slider.h"
@@ -32,5 +32,8 @@ private:
 void see_section(WindowSettings& settings, bool recording);
 /// The text of a refusal under what was to be changed, where there is one.
 void show_refusal(const Workbench& bench, const std::string& what);
+/// On the slider of a lane's step: the stable one, where steps that long are taken, and whether the
+/// one that is taken lies beyond.
+void mark_stable_step(SliderLook& look, const LaneView& lane, const SceneDescription& scene);
 
 }  // namespace weft::viewer

@@ -1,9 +1,6 @@
 // Which layers there are, and how each looks.
 #include "viewer/cloth_layers.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "viewer/touch_target.h"
 
 namespace weft::viewer {

@@ -2,26 +2,10 @@
 #include "viewer/cloth_picture.h"
 
 #include <algorithm>
-#include <variant>
 
 #include "weft/error.h"
 
 namespace weft::viewer {
-
-namespace {
-
-bool same_obstacle(const ObstacleDescription& one, const ObstacleDescription& other) {
-    if (one.shape.index() != other.shape.index()) return false;
-    if (const auto* sphere = std::get_if<SphereObstacle>(&one.shape)) {
-        const auto& second = std::get<SphereObstacle>(other.shape);
-        return sphere->centre == second.centre && sphere->radius == second.radius;
-    }
-    const auto& first = std::get<PlaneObstacle>(one.shape);
-    const auto& second = std::get<PlaneObstacle>(other.shape);
-    return first.point == second.point && first.normal == second.normal;
-}
-
-}  // namespace
 
 void ClothPicture::make_renderer(const RenderDescription& render) {
     trouble_.clear();
@@ -46,9 +30,10 @@ void ClothPicture::take(const std::shared_ptr<const ClothShape>& shape,
         texture_ = render.texture;
         make_renderer(render);
     }
-    const bool same_stage = kept && shape == shape_ &&
-                            std::equal(obstacles.begin(), obstacles.end(), obstacles_.begin(),
-                                       obstacles_.end(), same_obstacle);
+    const bool same_stage =
+        kept && shape == shape_ &&
+        std::ranges::equal(obstacles, obstacles_, {}, &ObstacleDescription::shape,
+                           &ObstacleDescription::shape);
     shape_ = shape;
     if (same_stage) return;
     obstacles_ = obstacles;

@@ -2,7 +2,6 @@
 #include "viewer/cloth_touch.h"
 
 #include <algorithm>
-#include <utility>
 #include <variant>
 
 namespace weft::viewer {
@@ -10,8 +9,6 @@ namespace weft::viewer {
 namespace {
 
 constexpr float pin_reach = 9.0F;      // [screen units]
-constexpr float click_travel = 4.0F;   // as PointerGesture has it [screen units]
-constexpr double click_time = 0.4;     // likewise [s]
 constexpr double patch_radius = 0.04;  // of the cloth's size
 
 Vec3d to_vec3d(glm::dvec3 v) {
@@ -73,9 +70,6 @@ void ClothTouch::begin(const Pointer& pointer, std::size_t button, const ShownCl
                    pointer.time);
     button_ = button;
     particles_ = cloth.frame.positions.size();
-    pressed_at_ = pointer.pixel;
-    pressed_time_ = pointer.time;
-    dragging_ = false;
     shifted_ = glm::dvec3(0.0);
     if (gesture() == Gesture::grab_cloth)
         patch_.emplace(cloth.frame.positions, target_.particle, to_vec3d(target_.point),
@@ -86,10 +80,7 @@ void ClothTouch::go_on(const Pointer& pointer, const Shown& shown, std::span<con
                        OrbitCamera& camera) {
     const CursorPlace place(target_.cloth, areas[target_.cloth], pointer.pixel);
     const glm::vec2 moved = gesture_.move(pointer.pixel / pointer.scale) * pointer.scale;
-    // Until it cannot be a click any more nothing is touched: a click pins, and must not pull.
-    const float travelled = glm::distance(pointer.pixel, pressed_at_) / pointer.scale;
-    if (travelled > click_travel || pointer.time - pressed_time_ > click_time) dragging_ = true;
-    drag(place, shown, moved, camera);
+    drag(place, shown, moved, pointer.time, camera);
     const Pointer::Button& button = pointer.buttons[button_];
     if (!button.released && button.down) return;
     const bool click = gesture_.release(static_cast<MouseButton>(button_),
@@ -97,7 +88,7 @@ void ClothTouch::go_on(const Pointer& pointer, const Shown& shown, std::span<con
     end(click, shown);
 }
 
-void ClothTouch::drag(const CursorPlace& place, const Shown& shown, glm::vec2 moved,
+void ClothTouch::drag(const CursorPlace& place, const Shown& shown, glm::vec2 moved, double time,
                       OrbitCamera& camera) {
     const auto height = static_cast<float>(place.area.height);
     switch (gesture()) {
@@ -110,7 +101,9 @@ void ClothTouch::drag(const CursorPlace& place, const Shown& shown, glm::vec2 mo
         case Gesture::none:
             return;
         default:
-            if (dragging_) drag_thing(place.ray(camera.camera()), shown, camera.camera());
+            // A click pins, and must not pull.
+            if (gesture_.is_drag(time))
+                drag_thing(place.ray(camera.camera()), shown, camera.camera());
             return;
     }
     moved_camera_ = moved_camera_ || moved != glm::vec2(0.0F);
@@ -144,7 +137,7 @@ void ClothTouch::shift_thing(glm::dvec3 shift) {
 void ClothTouch::end(bool click, const Shown& shown) {
     const TouchTarget target = target_;
     let_go();
-    if (click && !dragging_) {
+    if (click) {
         const Vec3d position = shown.cloths[target.cloth].frame.positions[target.particle];
         requests_.toggle_pin(target.particle, position);
     }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "viewer/grip_patch.h"
@@ -67,7 +68,8 @@ private:
               const Camera& camera);
     void go_on(const Pointer& pointer, const Shown& shown, std::span<const ViewArea> areas,
                OrbitCamera& camera);
-    void drag(const CursorPlace& place, const Shown& shown, glm::vec2 moved, OrbitCamera& camera);
+    void drag(const CursorPlace& place, const Shown& shown, glm::vec2 moved, double time,
+              OrbitCamera& camera);
     void drag_thing(const Ray& ray, const Shown& shown, const Camera& camera);
     void shift_thing(glm::dvec3 shift);
     void end(bool click, const Shown& shown);
@@ -79,9 +81,6 @@ private:
     TouchTarget target_;
     std::size_t button_ = 0;          ///< that began the gesture
     std::size_t particles_ = 0;       ///< of the cloth then
-    glm::vec2 pressed_at_{0.0F};      ///< [pixels]
-    double pressed_time_ = 0.0;       ///< [s]
-    bool dragging_ = false;           ///< it is no click any more
     glm::dvec3 shifted_{0.0};         ///< what is dragged has been moved by so much [m]
     std::optional<GripPatch> patch_;  ///< as it was under the hand when that closed
     std::optional<Hold> hold_;

@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "viewer/cloth_labels.h"
 #include "viewer/cloth_layers.h"
@@ -12,6 +11,7 @@
 #include "viewer/cloth_picture.h"
 #include "viewer/draw_effort.h"
 #include "viewer/draw_quality.h"
+#include "viewer/frame_times.h"
 #include "viewer/still_picture.h"
 #include "viewer/strain_scale.h"
 #include "viewer/view_camera.h"
@@ -21,14 +21,12 @@ namespace weft::viewer {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr float usual_font = 15.0F;  // of a display whose marks are one unit large
 constexpr int frames_a_sample = 8;   // of the cost of drawing, while there is time enough
 constexpr std::array<float, 3> gap_colour{0.07F, 0.08F, 0.10F};
 
 double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
+    return seconds_between(start, Clock::now());
 }
 
 Pointer pointer_of(const ImGuiIO& io, float scale, double time) {

@@ -1,9 +1,8 @@
 #include "viewer/compare_section.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
-#include <cmath>
+#include <optional>
 
 #include "viewer/change_panel.h"
 #include "viewer/controls.h"
@@ -37,34 +36,33 @@ void add_lane(Workbench& bench) {
     bench.set_lanes(std::move(lanes));
 }
 
-// One lane's menu, step and cross.  @return whether anything changed.
-bool lane_row(IntegratorDescription& lane, const LaneView* view, std::size_t number,
-              bool& removed) {
-    bool changed = false;
-    const ImGuiStyle& style = ImGui::GetStyle();
+// @return whether another method was chosen.
+bool method_row(IntegratorDescription& lane, std::size_t number, bool& removed) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddCircleFilled(
         {at.x + 0.4F * em(), at.y + 0.5F * ImGui::GetFrameHeight()}, 0.32F * em(),
         lane_colour(number));
     ImGui::Dummy({0.8F * em(), 0.0F});
+    const ImGuiStyle& style = ImGui::GetStyle();
     ImGui::SameLine(0.0F, style.ItemInnerSpacing.x);
-    const float cross = 1.25F * ImGui::GetFrameHeight() + style.ItemSpacing.x;
-    if (const auto chosen =
-            method_menu("##method", lane.method, true, ImGui::GetContentRegionAvail().x - cross)) {
-        lane.method = *chosen;
-        changed = true;
-    }
+    const float width = ImGui::GetContentRegionAvail().x - icon_width() - style.ItemSpacing.x;
+    const auto chosen = method_menu("##method", lane.method, true, width);
+    if (chosen) lane.method = *chosen;
     ImGui::SameLine();
     removed = icon_button(Icon::cross, "remove", "Fly without this one");
+    return chosen.has_value();
+}
+
+// @param view null: it does not fly yet.  @return whether the step is another.
+bool step_row(IntegratorDescription& lane, const LaneView* view, std::size_t number,
+              const SceneDescription& scene) {
+    static std::optional<double> held;  // a lane's step takes effect when the hand lets go
+    static std::size_t held_lane = 0;
     double step = lane.time_step.value_or(view != nullptr ? view->time_step : 0.001);
     SliderLook look{.label = "Step", .unit = "s"};
     if (!lane.time_step) look.automatic = with_unit(step, "s");
-    if (view != nullptr && std::isfinite(view->stable_step)) look.limit = view->stable_step;
-    const float tick =
-        ImGui::GetFrameHeight() + ImGui::CalcTextSize("auto").x + 2.0F * style.ItemInnerSpacing.x;
-    look.width = ImGui::GetContentRegionAvail().x - tick - style.ItemSpacing.x;
-    static std::optional<double> held;  // a lane's step takes effect when the hand lets go
-    static std::size_t held_lane = 0;
+    if (view != nullptr) mark_stable_step(look, *view, scene);
+    look.width = ImGui::GetContentRegionAvail().x - tick_width("auto");
     if (held && held_lane == number) step = *held;
     const SliderAnswer answer =
         value_slider("step", step, {shortest_step, longest_step, true}, look);
@@ -75,15 +73,12 @@ bool lane_row(IntegratorDescription& lane, const LaneView* view, std::size_t num
     if (answer.released) {
         lane.time_step = step;
         held.reset();
-        changed = true;
     }
     ImGui::SameLine();
     bool automatic = !lane.time_step;
-    if (ImGui::Checkbox("auto", &automatic)) {
-        lane.time_step = automatic ? std::nullopt : std::optional(step);
-        changed = true;
-    }
-    return changed;
+    const bool ticked = ImGui::Checkbox("auto", &automatic);
+    if (ticked) lane.time_step = automatic ? std::nullopt : std::optional(step);
+    return answer.released || ticked;
 }
 
 }  // namespace
@@ -99,7 +94,8 @@ void compare_section(Workbench& bench) {
         ImGui::PushID(static_cast<int>(k));
         bool remove = false;
         const LaneView* lane = k + 1 < view.lanes.size() ? &view.lanes[k + 1] : nullptr;
-        changed = lane_row(lanes[k], lane, k + 1, remove) || changed;
+        changed = method_row(lanes[k], k + 1, remove) || changed;
+        changed = step_row(lanes[k], lane, k + 1, bench.scene()) || changed;
         if (remove) removed = k;
         ImGui::PopID();
     }
@@ -108,7 +104,10 @@ void compare_section(Workbench& bench) {
     if (changed || removed) bench.set_lanes(lanes);
     if (bench.lanes().size() + 1 < most_lanes) {
         if (ImGui::Button("Add a method", {-FLT_MIN, 0.0F})) add_lane(bench);
-        tooltip_of_last("Flies the same scene by another method beside this one. All start again.");
+        if (bench.refusal("lanes") == nullptr) {  // which it would cover
+            tooltip_of_last(
+                "Flies the same scene by another method beside this one. All start again.");
+        }
     }
     show_refusal(bench, "lanes");
 }

@@ -111,13 +111,17 @@ bool icon_button(Icon icon, const char* id, const std::string& tooltip, bool ena
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::PushID(id);
     ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::Button("##icon", {1.25F * side, side});
+    const bool pressed = ImGui::Button("##icon", {icon_width(), side});
     ImGui::EndDisabled();
     ImGui::PopID();
-    const ImVec2 middle{corner.x + 0.625F * side, corner.y + 0.5F * side};
+    const ImVec2 middle{corner.x + 0.5F * icon_width(), corner.y + 0.5F * side};
     draw_icon(icon, Pen(middle, 0.3F * side, enabled ? colour : colours::lines));
     tooltip_of_last(tooltip);
     return pressed && enabled;
+}
+
+float icon_width() {
+    return 1.25F * ImGui::GetFrameHeight();
 }
 
 bool text_button(const char* label, bool enabled, float width) {
@@ -135,6 +139,12 @@ bool main_button(const char* label) {
     const bool pressed = ImGui::Button(label);
     ImGui::PopStyleColor(4);
     return pressed;
+}
+
+float tick_width(const char* label) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return style.ItemSpacing.x + ImGui::GetFrameHeight() + ImGui::CalcTextSize(label).x +
+           2.0F * style.ItemInnerSpacing.x;
 }
 
 bool mouse_rests() {

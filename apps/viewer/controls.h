@@ -33,9 +33,13 @@ enum class Icon {
 /// A square button with a drawn sign. @return whether it was pressed.
 bool icon_button(Icon icon, const char* id, const std::string& tooltip, bool enabled = true,
                  ImU32 colour = colours::text);
+float icon_width();  ///< of such a button [screen units]
 bool text_button(const char* label, bool enabled = true, float width = 0.0F);
 /// A button with the colour of what one most likely wants.
 bool main_button(const char* label);
+
+/// How much room a tick with its label takes after something in the same line [screen units].
+float tick_width(const char* label);
 
 /// Whether the mouse rests long enough for an explanation.
 bool mouse_rests();

@@ -35,4 +35,9 @@ void end_dialog() {
     ImGui::EndPopup();
 }
 
+void take_keyboard() {
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-FLT_MIN);
+}
+
 }  // namespace weft::viewer

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "viewer/frame_times.h"
+
 namespace weft::viewer {
 
 namespace {
@@ -26,11 +28,7 @@ DrawQuality::DrawQuality(std::size_t levels, std::size_t first, double limit)
 }
 
 double DrawQuality::typical() const {
-    if (samples_.empty()) return 0.0;
-    std::vector<double> sorted = samples_;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    return *middle;
+    return median_of(samples_);
 }
 
 bool DrawQuality::pressed() const {

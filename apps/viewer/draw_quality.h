@@ -21,7 +21,7 @@ public:
     void add(double time, double milliseconds);
 
     [[nodiscard]] std::size_t level() const { return level_; }
-    /// The middle one of the last samples at this level [ms]; 0 before there is one.
+    /// The median of the last samples at this level [ms]; 0 before there is one.
     [[nodiscard]] double typical() const;
     /// Whether the last sample was near the limit or beyond: one should look at every frame.
     [[nodiscard]] bool pressed() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "viewer/scene_difference.h"

@@ -4,8 +4,6 @@
 #include <functional>
 #include <list>
 #include <memory>
-#include <mutex>
-#include <thread>
 
 #include "io/recording_queue.h"
 #include "viewer/flight.h"

@@ -8,6 +8,13 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
 }
 
+double median_of(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 void Durations::add(double seconds) {
     if (latest_.size() < kept) {
         latest_.push_back(seconds);
@@ -19,11 +26,7 @@ void Durations::add(double seconds) {
 }
 
 double Durations::median() const {
-    if (latest_.empty()) return 0.0;
-    std::vector<double> sorted = latest_;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    return *middle;
+    return median_of(latest_);
 }
 
 double Durations::latest() const {

@@ -10,6 +10,9 @@ namespace weft::viewer {
 using Clock = std::chrono::steady_clock;
 double seconds_between(Clock::time_point from, Clock::time_point to);
 
+/// The median, of an even number the upper one; 0 of none.
+double median_of(std::vector<double> values);
+
 /// Durations, of which the median and the largest count. Of very many, the latest are kept.
 class Durations {
 public:

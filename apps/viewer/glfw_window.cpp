@@ -63,7 +63,8 @@ struct WindowEvents {
     static void key(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
         ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
         of(window).note_input();
-        if (action == GLFW_RELEASE || (is_typing() && key != GLFW_KEY_ESCAPE)) return;
+        const bool writes = key != GLFW_KEY_ESCAPE && (key < GLFW_KEY_F1 || key > GLFW_KEY_F25);
+        if (action == GLFW_RELEASE || (writes && is_typing())) return;
         of(window).keys_.push_back({key, (modifiers & GLFW_MOD_CONTROL) != 0,
                                     (modifiers & GLFW_MOD_SHIFT) != 0, action == GLFW_REPEAT});
     }
@@ -225,22 +226,20 @@ void GlfwWindow::end_frame() {
     latencies_.add(seconds_between(*answered_input_, Clock::now()));
 }
 
-GlfwWindow::Pixels GlfwWindow::read_pixels() const {
+Image GlfwWindow::read_pixels() const {
     const FramebufferSize size = framebuffer();
-    Pixels pixels{size.width, size.height, {}};
-    const std::size_t row = static_cast<std::size_t>(size.width) * 4;
-    const auto rows = static_cast<std::size_t>(size.height);
-    std::vector<unsigned char> upward(row * rows);
+    Image image{size.width, size.height, {}};
+    const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(size.width);
+    image.rgba.resize(static_cast<std::size_t>(row * size.height));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, upward.data());
-    pixels.rgba.resize(upward.size());
-    for (std::size_t j = 0; j < rows; ++j) {
-        std::copy_n(upward.begin() + static_cast<std::ptrdiff_t>((rows - 1 - j) * row), row,
-                    pixels.rgba.begin() + static_cast<std::ptrdiff_t>(j * row));
-    }
-    for (std::size_t k = 3; k < pixels.rgba.size(); k += 4) pixels.rgba[k] = 255;
-    return pixels;
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+    // OpenGL's rows go upward, those of an Image downward.
+    auto top = image.rgba.begin();
+    for (auto bottom = image.rgba.end() - row; top < bottom; top += row, bottom -= row)
+        std::swap_ranges(top, top + row, bottom);
+    for (std::size_t k = 3; k < image.rgba.size(); k += 4) image.rgba[k] = 255;
+    return image;
 }
 
 void GlfwWindow::set_title(const std::string& title) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render/image.h"
 #include "viewer/frame_times.h"
 #include "viewer/theme.h"
 #include "viewer/window_settings.h"
@@ -38,14 +39,9 @@ public:
     [[nodiscard]] bool asked_to_close();  ///< once for each time
 
     void begin_frame();
-    void draw_imgui();  ///< over what was drawn so far
-    void end_frame();   ///< shows all
-    /// The framebuffer as it now is, rows from the top.
-    struct Pixels {
-        int width = 0, height = 0;
-        std::vector<unsigned char> rgba;
-    };
-    [[nodiscard]] Pixels read_pixels() const;
+    void draw_imgui();                        ///< over what was drawn so far
+    void end_frame();                         ///< shows all
+    [[nodiscard]] Image read_pixels() const;  ///< the framebuffer as it now is
 
     void set_title(const std::string& title);
     void store(WindowSettings& settings) const;  ///< size and place

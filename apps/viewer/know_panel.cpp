@@ -67,7 +67,7 @@ void speed_fact(const FlightView& view) {
         fact("speed", fmt::format("{:g}x, resting", view.speed));
         return;
     }
-    const bool slow = view.reached_speed < 0.9 * view.speed;
+    const bool slow = falls_behind(view);
     fact("speed", fmt::format("{:.2f}x of real time", view.reached_speed),
          slow ? colours::trouble : colours::text);
     if (slow) coloured_text(colours::trouble, "This machine cannot do more.");
@@ -122,8 +122,9 @@ void cloth_section(const Workbench& bench) {
     for (const std::string& warning : lane.warnings) coloured_text(colours::accent, warning);
 }
 
-void window_section(const WindowMeasures& window) {
+void window_section(const std::function<WindowMeasures()>& measure) {
     if (!section("Window", false)) return;
+    const WindowMeasures window = measure();
     fact("frames drawn", window.frames_per_second > 0.0
                              ? fmt::format("{:.0f} a second", window.frames_per_second)
                              : "resting");
@@ -133,17 +134,19 @@ void window_section(const WindowMeasures& window) {
 
 }  // namespace
 
-void know_panel(const Place& place, const Workbench& bench, const WindowMeasures& window) {
+void know_panel(const Place& place, const Workbench& bench,
+                const std::function<WindowMeasures()>& measure) {
     if (begin_panel("Know", place)) {
         energy_section(bench);
         speed_section(bench);
         cloth_section(bench);
-        window_section(window);
+        window_section(measure);
     }
     end_panel();
 }
 
-void recording_facts(const Place& place, Workbench& bench, const WindowMeasures& window) {
+void recording_facts(const Place& place, Workbench& bench,
+                     const std::function<WindowMeasures()>& measure) {
     if (begin_panel("Know", place)) {
         Playback& playback = bench.playback();
         if (section("Recording", true)) {
@@ -156,7 +159,7 @@ void recording_facts(const Place& place, Workbench& bench, const WindowMeasures&
             fact("triangles", std::to_string(playback.shape()->surface.triangles.size()));
             coloured_text(colours::faint, playback.path().string());
         }
-        window_section(window);
+        window_section(measure);
     }
     end_panel();
 }

@@ -13,8 +13,11 @@ struct WindowMeasures {
     std::string quality;             ///< of the drawing
 };
 
-void know_panel(const Place& place, const Workbench& bench, const WindowMeasures& window);
+/// @param measure asked only where the answer is to be seen.
+void know_panel(const Place& place, const Workbench& bench,
+                const std::function<WindowMeasures()>& measure);
 /// The same place while a recording plays.
-void recording_facts(const Place& place, Workbench& bench, const WindowMeasures& window);
+void recording_facts(const Place& place, Workbench& bench,
+                     const std::function<WindowMeasures()>& measure);
 
 }  // namespace weft::viewer

@@ -20,10 +20,9 @@ struct Range {
     float first = 0.0F, last = 0.0F;  ///< time
 };
 
-// Of everything that is to be seen; a little room above and below.
-Range range_of(std::span<const PlotLine> lines, bool from_zero) {
+// Of everything that is to be seen, and 0.
+Range range_of(std::span<const PlotLine> lines) {
     Range range;
-    bool any = false;
     for (const PlotLine& line : lines) {
         if (!line.series->times().empty())
             range.last = std::max(range.last, line.series->times().back());
@@ -33,21 +32,18 @@ Range range_of(std::span<const PlotLine> lines, bool from_zero) {
         const std::span<const float> times = line.series->times(), values = line.series->values();
         for (std::size_t n = 0; n < times.size(); ++n) {
             if (times[n] < range.first || !std::isfinite(values[n])) continue;
-            range.low = any ? std::min(range.low, values[n]) : values[n];
-            range.high = any ? std::max(range.high, values[n]) : values[n];
-            any = true;
+            range.low = std::min(range.low, values[n]);
+            range.high = std::max(range.high, values[n]);
         }
     }
-    if (from_zero) range.low = std::min(range.low, 0.0F);
-    if (from_zero) range.high = std::max(range.high, 0.0F);
     if (range.high - range.low < 1e-30F) range.high = range.low + 1.0F;
     if (range.last - range.first < 1.0F) range.last = range.first + 1.0F;
     return range;
 }
 
-class Canvas {
+class Axes {
 public:
-    Canvas(ImVec2 low, ImVec2 high, const Range& range) : low_(low), high_(high), range_(range) {}
+    Axes(ImVec2 low, ImVec2 high, const Range& range) : low_(low), high_(high), range_(range) {}
     [[nodiscard]] ImVec2 point(float time, float value) const {
         const float right = (time - range_.first) / (range_.last - range_.first);
         const float up = (value - range_.low) / (range_.high - range_.low);
@@ -61,32 +57,35 @@ private:
     Range range_;
 };
 
-void draw_line(const PlotLine& line, const Canvas& canvas, float first) {
+void draw_line(const PlotLine& line, const Axes& axes, float first) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     const std::span<const float> times = line.series->times(), values = line.series->values();
     static std::vector<ImVec2> points;  // reused: a plot is drawn in every frame
     points.clear();
     for (std::size_t n = 0; n < times.size(); ++n) {
         if (times[n] >= first && std::isfinite(values[n])) {
-            points.push_back(canvas.point(times[n], values[n]));
+            points.push_back(axes.point(times[n], values[n]));
         }
     }
     list->AddPolyline(points.data(), static_cast<int>(points.size()), line.colour, ImDrawFlags_None,
                       0.1F * em());
 }
 
-void draw_axes(ImVec2 low, ImVec2 high, const Range& range, const Canvas& canvas,
-               const std::string& unit) {
+void draw_axes(ImVec2 low, ImVec2 high, const Range& range, const Axes& axes) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddRectFilled(low, high, colours::groove, ImGui::GetStyle().FrameRounding);
     if (range.low < 0.0F && range.high > 0.0F) {
-        const float y = canvas.point(range.first, 0.0F).y;
+        const float y = axes.point(range.first, 0.0F).y;
         list->AddLine({low.x, y}, {high.x, y}, colours::lines);
     }
     for (float second = std::ceil(range.first / 5.0F) * 5.0F; second < range.last; second += 5.0F) {
-        const float x = canvas.point(second, 0.0F).x;
+        const float x = axes.point(second, 0.0F).x;
         list->AddLine({x, low.y}, {x, high.y}, colours::lines);
     }
+}
+
+void draw_ends(ImVec2 low, ImVec2 high, const Range& range, const std::string& unit) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
     const std::string top = fmt::format("{} {}", brief(range.high, 3), unit);
     const std::string bottom = brief(range.low, 3);
     ImFont* font = ImGui::GetFont();
@@ -130,11 +129,13 @@ void line_plot(const PlotLook& look, std::span<const PlotLine> lines) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high{low.x + width, low.y + look.height * em()};
     ImGui::Dummy({width, look.height * em()});
-    const Range range = range_of(lines, look.from_zero);
-    const Canvas canvas(low, high, range);
-    draw_axes(low, high, range, canvas, look.unit);
+    const Range range = range_of(lines);
+    const Axes axes(low, high, range);
+    draw_axes(low, high, range, axes);
+    const auto measured = [](const PlotLine& line) { return !line.series->times().empty(); };
+    if (std::any_of(lines.begin(), lines.end(), measured)) draw_ends(low, high, range, look.unit);
     ImGui::PushClipRect(low, high, true);
-    for (const PlotLine& line : lines) draw_line(line, canvas, range.first);
+    for (const PlotLine& line : lines) draw_line(line, axes, range.first);
     ImGui::PopClipRect();
     draw_legend(lines, look.unit);
     ImGui::Spacing();

@@ -21,11 +21,10 @@ struct PlotLook {
     std::string present{};  ///< the number now, with its unit
     std::string unit{};     ///< of the axis
     float height = 3.2F;    ///< in heights of text
-    bool from_zero = true;
 };
 
-/// The lines over the latest 20 s, with the lowest and the highest value at the left, and a legend
-/// below that shows each line's present value.
+/// The lines over the latest 20 s, with the lowest and the highest value (or 0) at the left, and a
+/// legend below that shows each line's present value.
 void line_plot(const PlotLook& look, std::span<const PlotLine> lines);
 
 }  // namespace weft::viewer

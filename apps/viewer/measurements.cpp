@@ -8,9 +8,10 @@ namespace {
 
 void add_sample(LaneMeasurements& kept, const LaneView& lane) {
     const double time = lane.frame.time;
-    if (time == kept.last_time) return;
+    const bool at_its_start = kept.total.times().size() < 2;  // where a scene may yet be changed
+    if (time == kept.last_time && !at_its_start) return;
     // The zero of the potential is a matter of choice; so far from it, nothing else would be seen.
-    if (time < kept.last_time || kept.last_time < 0.0) {
+    if (time <= kept.last_time || kept.last_time < 0.0) {
         kept = {};
         kept.first_gravity = lane.energy.gravity;
     }
@@ -37,6 +38,10 @@ void Measurements::add(const FlightView& view) {
 double steps_per_second(const LaneView& lane) {
     if (lane.milliseconds <= 0.0) return 0.0;
     return static_cast<double>(lane.steps_per_frame) / (1e-3 * lane.milliseconds);
+}
+
+bool falls_behind(const FlightView& view) {
+    return view.playing && view.reached_speed > 0.0 && view.reached_speed < 0.9 * view.speed;
 }
 
 }  // namespace weft::viewer

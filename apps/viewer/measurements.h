@@ -32,5 +32,7 @@ private:
 
 /// How many steps a second a lane makes while it computes; 0 where that is not known yet.
 double steps_per_second(const LaneView& lane);
+/// Whether it flies clearly more slowly than is wanted.
+bool falls_behind(const FlightView& view);
 
 }  // namespace weft::viewer

@@ -89,13 +89,16 @@ void divergence_notice(const Place& cloth, Workbench& bench) {
 bool message_list(const Place& cloth, Messages& messages) {
     const std::vector<Message>& present = messages.present();
     if (present.empty()) return false;
+    // The latest ones, and more of them where they leave most of the cloth to be seen.
+    const auto room = static_cast<std::size_t>(std::max(1.0F, cloth.height / (10.0F * em())));
+    const std::size_t shown = std::min(present.size(), room);
     const float margin = 0.7F * em();
     ImGui::SetNextWindowPos({cloth.left + 0.5F * cloth.width, cloth.top + cloth.height - margin},
                             ImGuiCond_Always, {0.5F, 1.0F});
     ImGui::SetNextWindowSize({std::min(36.0F * em(), cloth.width - 2.0F * margin), 0.0F});
     ImGui::SetNextWindowBgAlpha(0.92F);
     if (ImGui::Begin("Messages", nullptr, still_window)) {
-        for (const Message& message : present) {
+        for (const Message& message : std::span(present).last(shown)) {
             coloured_text(message.kind == MessageKind::done ? colours::good : colours::trouble,
                           message.text);
         }

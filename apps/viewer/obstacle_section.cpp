@@ -32,7 +32,7 @@ bool obstacle_rows(Workbench& bench, std::size_t index, const std::string& name)
     ObstacleDescription obstacle = bench.scene().obstacles[index];
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(name.c_str());
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 1.25F * ImGui::GetFrameHeight());
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - icon_width());
     const bool removed = icon_button(Icon::cross, "remove", "Take it away");
     bool changed = false;
     if (auto* sphere = std::get_if<SphereObstacle>(&obstacle.shape)) {

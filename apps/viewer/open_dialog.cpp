@@ -66,7 +66,7 @@ std::optional<std::string> OpenDialog::draw(const WindowSettings& settings) {
     ImGui::SameLine();
     if (ImGui::BeginChild("files", {width, height})) draw_files(chosen);
     ImGui::EndChild();
-    ImGui::SetNextItemWidth(-FLT_MIN);
+    take_keyboard();
     const bool entered = ImGui::InputTextWithHint("##path", "path of a scene, .pc2, .mdd or .glb",
                                                   &path_, ImGuiInputTextFlags_EnterReturnsTrue);
     if (!complaint_.empty()) coloured_text(colours::trouble, complaint_);

@@ -1,7 +1,6 @@
 // What of a scene the window's sliders change, as one table: panel, undo and tests go by it.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>

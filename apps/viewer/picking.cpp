@@ -10,10 +10,6 @@ namespace weft::viewer {
 
 namespace {
 
-glm::dvec3 to_double(Vec3d v) {
-    return {v.x, v.y, v.z};
-}
-
 /// A row of a matrix, its last number left out.
 glm::dvec3 row_of(const glm::mat4& matrix, int row) {
     return {matrix[0][row], matrix[1][row], matrix[2][row]};

@@ -11,6 +11,10 @@
 
 namespace weft::viewer {
 
+inline glm::dvec3 to_double(Vec3d v) {
+    return {v.x, v.y, v.z};
+}
+
 struct Ray {
     glm::dvec3 origin{0.0};
     glm::dvec3 direction{0.0, 0.0, -1.0};  ///< unit

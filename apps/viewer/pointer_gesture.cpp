@@ -44,13 +44,16 @@ glm::vec2 PointerGesture::move(glm::vec2 pixels) {
     return moved;
 }
 
+bool PointerGesture::is_drag(double time) const {
+    return travelled_ > click_pixels || time - start_time_ > click_seconds;
+}
+
 bool PointerGesture::release(MouseButton button, glm::vec2 pixels, double time) {
     if (gesture_ == Gesture::none || button != button_) return false;
     move(pixels);
     gesture_ = Gesture::none;
     const bool clickable = target_ == PointerTarget::cloth || target_ == PointerTarget::pin;
-    return button == MouseButton::left && clickable && travelled_ <= click_pixels &&
-           time - start_time_ <= click_seconds;
+    return button == MouseButton::left && clickable && !is_drag(time);
 }
 
 }  // namespace weft::viewer

@@ -1,8 +1,6 @@
 // From presses and movements of the mouse to what they mean. Knows no window.
 #pragma once
 
-#include <optional>
-
 #include <glm/glm.hpp>
 
 namespace weft::viewer {
@@ -26,6 +24,8 @@ public:
     /// @return whether it was a click.
     bool release(MouseButton button, glm::vec2 pixels, double time);
     void cancel() { gesture_ = Gesture::none; }
+    /// Whether it has gone on for too long or too far to be a click.
+    [[nodiscard]] bool is_drag(double time) const;
 
     [[nodiscard]] Gesture gesture() const { return gesture_; }
 

@@ -12,7 +12,7 @@
 namespace weft::viewer {
 
 void SaveDialog::open(const std::string& suggested, bool may_keep_state) {
-    is_open_ = first_frame_ = true;
+    is_open_ = true;
     may_keep_state_ = may_keep_state;
     with_state_ = may_keep_state;
     replace_ = false;
@@ -24,10 +24,9 @@ void SaveDialog::open(const std::string& suggested, bool may_keep_state) {
 std::optional<SaveChoice> SaveDialog::draw() {
     std::optional<SaveChoice> chosen;
     if (!begin_dialog("Save the scene", is_open_, 34.0F)) return chosen;
-    if (first_frame_) ImGui::SetKeyboardFocusHere();
-    first_frame_ = false;
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    const bool entered = ImGui::InputText("##file", &file_, ImGuiInputTextFlags_EnterReturnsTrue);
+    take_keyboard();
+    const bool entered = ImGui::InputText(
+        "##file", &file_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     if (file_ != allowed_to_replace_) replace_ = false;
     if (may_keep_state_) {
         ImGui::Checkbox("Begin with what is on the screen", &with_state_);

@@ -22,7 +22,7 @@ public:
     std::optional<SaveChoice> draw();
 
 private:
-    bool is_open_ = false, first_frame_ = false;
+    bool is_open_ = false;
     bool may_keep_state_ = false, with_state_ = true, replace_ = false;
     std::string file_, complaint_, allowed_to_replace_;
 };

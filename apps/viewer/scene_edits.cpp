@@ -59,18 +59,11 @@ std::optional<Motion> take_out(SceneDescription& scene, ClothModel& cloth, std::
     return motion;
 }
 
-bool same_motion(const Motion& a, const Motion& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const PinKeyframe& k, const PinKeyframe& l) {
-                          return k.time == l.time && k.offset == l.offset;
-                      });
-}
-
 /// Pins a particle that nothing holds, with others of the same motion where these are listed.
 void put_in(SceneDescription& scene, std::size_t particle, const Motion& motion) {
     for (PinDescription& pin : scene.pins) {
         auto* const list = std::get_if<ParticleSelection>(&pin.select);
-        if (list == nullptr || !same_motion(pin.motion, motion)) continue;
+        if (list == nullptr || pin.motion != motion) continue;
         list->particles.push_back(particle);
         return;
     }

@@ -26,38 +26,35 @@ ImFont* load_font(const char* name, float height) {
     return ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), height, nullptr, glyphs.data());
 }
 
-ImVec4 colour(ImU32 packed) {
-    return ImGui::ColorConvertU32ToFloat4(packed);
-}
+struct StyleColour {
+    ImGuiCol which;
+    ImU32 colour;
+};
 
-void set_colours(ImGuiStyle& style) {
-    const auto set = [&style](ImGuiCol which, int red, int green, int blue, int opacity = 255) {
-        style.Colors[which] = colour(IM_COL32(red, green, blue, opacity));
-    };
-    ImGui::StyleColorsDark(&style);
-    style.Colors[ImGuiCol_Text] = colour(colours::text);
-    style.Colors[ImGuiCol_TextDisabled] = colour(colours::faint);
-    style.Colors[ImGuiCol_FrameBg] = colour(colours::groove);
-    style.Colors[ImGuiCol_FrameBgHovered] = colour(colours::groove_hovered);
-    style.Colors[ImGuiCol_FrameBgActive] = colour(colours::groove_hovered);
-    style.Colors[ImGuiCol_CheckMark] = colour(colours::accent);
-    set(ImGuiCol_WindowBg, 26, 30, 41);
-    set(ImGuiCol_PopupBg, 31, 36, 49, 252);
-    set(ImGuiCol_Border, 52, 60, 79);
-    set(ImGuiCol_Button, 47, 55, 74);
-    set(ImGuiCol_ButtonHovered, 62, 72, 97);
-    set(ImGuiCol_ButtonActive, 78, 92, 124);
-    set(ImGuiCol_Header, 34, 40, 54);
-    set(ImGuiCol_HeaderHovered, 45, 53, 72);
-    set(ImGuiCol_HeaderActive, 55, 64, 87);
-    set(ImGuiCol_Separator, 52, 60, 79);
-    set(ImGuiCol_ScrollbarBg, 26, 30, 41, 0);
-    set(ImGuiCol_ScrollbarGrab, 58, 67, 88);
-    set(ImGuiCol_ScrollbarGrabHovered, 74, 85, 112);
-    set(ImGuiCol_ScrollbarGrabActive, 90, 103, 135);
-    set(ImGuiCol_TextSelectedBg, 62, 91, 138);
-    set(ImGuiCol_ModalWindowDimBg, 10, 12, 18, 130);
-}
+// What ImGui's dark style has otherwise.
+constexpr std::array style_colours{
+    StyleColour{ImGuiCol_Text, colours::text},
+    StyleColour{ImGuiCol_TextDisabled, colours::faint},
+    StyleColour{ImGuiCol_FrameBg, colours::groove},
+    StyleColour{ImGuiCol_FrameBgHovered, colours::groove_hovered},
+    StyleColour{ImGuiCol_FrameBgActive, colours::groove_hovered},
+    StyleColour{ImGuiCol_CheckMark, colours::accent},
+    StyleColour{ImGuiCol_WindowBg, IM_COL32(26, 30, 41, 255)},
+    StyleColour{ImGuiCol_PopupBg, IM_COL32(31, 36, 49, 252)},
+    StyleColour{ImGuiCol_Border, IM_COL32(52, 60, 79, 255)},
+    StyleColour{ImGuiCol_Button, IM_COL32(47, 55, 74, 255)},
+    StyleColour{ImGuiCol_ButtonHovered, IM_COL32(62, 72, 97, 255)},
+    StyleColour{ImGuiCol_ButtonActive, IM_COL32(78, 92, 124, 255)},
+    StyleColour{ImGuiCol_Header, IM_COL32(34, 40, 54, 255)},
+    StyleColour{ImGuiCol_HeaderHovered, IM_COL32(45, 53, 72, 255)},
+    StyleColour{ImGuiCol_HeaderActive, IM_COL32(55, 64, 87, 255)},
+    StyleColour{ImGuiCol_Separator, IM_COL32(52, 60, 79, 255)},
+    StyleColour{ImGuiCol_ScrollbarBg, IM_COL32(26, 30, 41, 0)},
+    StyleColour{ImGuiCol_ScrollbarGrab, IM_COL32(58, 67, 88, 255)},
+    StyleColour{ImGuiCol_ScrollbarGrabHovered, IM_COL32(74, 85, 112, 255)},
+    StyleColour{ImGuiCol_ScrollbarGrabActive, IM_COL32(90, 103, 135, 255)},
+    StyleColour{ImGuiCol_TextSelectedBg, colours::fill},
+    StyleColour{ImGuiCol_ModalWindowDimBg, IM_COL32(10, 12, 18, 130)}};
 
 }  // namespace
 
@@ -84,7 +81,10 @@ Fonts apply_theme(float content_scale, float pixels_per_unit) {
 
     ImGuiStyle& style = ImGui::GetStyle();
     style = ImGuiStyle();
-    set_colours(style);
+    ImGui::StyleColorsDark(&style);
+    for (const StyleColour& row : style_colours) {
+        style.Colors[row.which] = ImGui::ColorConvertU32ToFloat4(row.colour);
+    }
     style.WindowPadding = {10.0F, 8.0F};
     style.FramePadding = {8.0F, 4.0F};
     style.ItemSpacing = {8.0F, 5.0F};

@@ -9,10 +9,6 @@ namespace weft::viewer {
 
 namespace {
 
-glm::dvec3 to_double(Vec3d v) {
-    return {v.x, v.y, v.z};
-}
-
 float distance_to_segment(glm::vec2 point, glm::vec2 from, glm::vec2 to) {
     const glm::vec2 along = to - from;
     const float square = glm::dot(along, along);

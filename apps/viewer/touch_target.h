@@ -1,7 +1,6 @@
 // What the mouse would take hold of: pins before cloth and spheres, planes by their handles.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 

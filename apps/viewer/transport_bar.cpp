@@ -61,8 +61,7 @@ void time_text(Workbench& bench) {
     const FlightView& view = bench.view();
     const FrameBuffer& frame = view.lanes.front().frame;
     ImGui::Text("%.2f s   frame %zu", frame.time, frame.index);
-    if (!view.playing || view.reached_speed <= 0.0 || view.reached_speed >= 0.9 * view.speed)
-        return;
+    if (!falls_behind(view)) return;
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Text, colours::trouble);
     ImGui::Text("reaches %.2gx", view.reached_speed);
@@ -75,9 +74,7 @@ void timeline(Workbench& bench) {
     int frame = static_cast<int>(playback.frame_index());
     const int last = static_cast<int>(playback.frame_count()) - 1;
     bool loop = playback.loop();
-    const float tick = ImGui::GetFrameHeight() + ImGui::CalcTextSize("again and again").x +
-                       2.0F * ImGui::GetStyle().ItemSpacing.x;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - tick);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - tick_width("again and again"));
     ImGui::PushStyleColor(ImGuiCol_SliderGrab, colours::accent);
     ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, colours::accent);
     if (ImGui::SliderInt("##timeline", &frame, 0, std::max(last, 1), "",
@@ -128,7 +125,7 @@ void record_controls(Workbench& bench, WindowSettings& settings, const Act& act,
 
 // Those at the right end of the bar.
 void other_buttons(const Act& act) {
-    const float width = 2.0F * 1.25F * ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x;
+    const float width = 2.0F * icon_width() + ImGui::GetStyle().ItemSpacing.x;
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
     if (icon_button(Icon::camera, "screenshot", "Screenshot (F12)")) act({Action::screenshot});
     ImGui::SameLine();

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "viewer/controls.h"
+#include "viewer/theme.h"
 
 namespace weft::viewer {
 
@@ -43,21 +43,21 @@ void draw_slider(const ImRect& box, ImGuiID id, bool hovered, double value,
     const auto x_of = [&](double v) {
         return box.Min.x + static_cast<float>(scale.place_of(v)) * box.GetWidth();
     };
-    const bool beyond = look.limit && value > *look.limit;
-    if (look.limit && *look.limit < scale.high) {
-        list->AddRectFilled({x_of(*look.limit), box.Min.y}, box.Max,
+    const bool has_limit = look.limit < scale.high;
+    if (has_limit) {
+        list->AddRectFilled({x_of(look.limit), box.Min.y}, box.Max,
                             (colours::forbidden & 0x00FFFFFFU) | 0x90000000U, rounding,
                             ImDrawFlags_RoundCornersRight);
     }
     const float end = x_of(value);
     if (end > box.Min.x + rounding) {
-        const ImU32 fill = beyond   ? colours::forbidden
-                           : active ? colours::fill_active
-                                    : colours::fill;
+        const ImU32 fill = look.beyond ? colours::forbidden
+                           : active    ? colours::fill_active
+                                       : colours::fill;
         list->AddRectFilled(box.Min, {end, box.Max.y}, fill, rounding);
     }
-    if (look.limit && *look.limit < scale.high) {
-        const float x = x_of(*look.limit);
+    if (has_limit) {
+        const float x = x_of(look.limit);
         list->AddLine({x, box.Min.y}, {x, box.Max.y}, colours::trouble, 2.0F);
     }
     const std::string shown = look.automatic.empty() ? with_unit(value, look.unit) : look.automatic;
@@ -138,9 +138,9 @@ SliderAnswer value_slider(const char* name, double& value, const SliderScale& sc
             ImGui::ClearActiveID();
         }
     }
+    answer.hovered = hovered;
     answer.reset = hovered && ImGui::GetIO().MouseClicked[1];
     draw_slider(box, id, hovered, value, scale, look);
-    if (mouse_rests() && hovered && !look.tooltip.empty()) show_tooltip(look.tooltip);
     return answer;
 }
 

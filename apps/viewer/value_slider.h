@@ -1,7 +1,7 @@
 // A slider that holds its own name and value, with room for what is beyond a limit.
 #pragma once
 
-#include <optional>
+#include <limits>
 #include <string>
 
 #include "viewer/slider_scale.h"
@@ -11,17 +11,18 @@ namespace weft::viewer {
 struct SliderLook {
     std::string label;
     std::string unit;
-    std::string automatic{};        ///< said in place of the value, where that is chosen by weft
-    std::optional<double> limit{};  ///< what lies beyond is marked red
-    float width = 0.0F;             ///< [screen units]; 0: all there is
-    bool changed = false;           ///< from the scene file: marked by a dot
-    std::string tooltip{};
+    std::string automatic{};  ///< said in place of the value, where that is chosen by weft
+    double limit = std::numeric_limits<double>::infinity();  ///< what lies beyond is marked red
+    bool beyond = false;   ///< what comes of the value is, so that the fill is red too
+    float width = 0.0F;    ///< [screen units]; 0: all there is
+    bool changed = false;  ///< from the scene file: marked by a dot
 };
 
 struct SliderAnswer {
     bool edited = false;    ///< the value is another
     bool released = false;  ///< the hand let go, or Enter was pressed
     bool reset = false;     ///< right click: back to the value of the scene file
+    bool hovered = false;   ///< the mouse is on it
 };
 
 /// As wide as the panel lets it be. A drag sets the value, within the scale; double click or

@@ -24,7 +24,6 @@ public:
 
     /// @pre follow() was called.
     [[nodiscard]] OrbitCamera& orbit() { return *orbit_; }
-    [[nodiscard]] bool placed() const { return orbit_.has_value(); }
     [[nodiscard]] const Camera& camera() const { return orbit_ ? orbit_->camera() : unplaced_; }
 
 private:

@@ -22,8 +22,6 @@ public:
     /// Gives it a size and samples; cheap where they stay. Leaves it bound.
     void prepare(int width, int height, int samples);
     [[nodiscard]] GLuint name() const { return framebuffer_.name(); }
-    [[nodiscard]] int width() const { return width_; }
-    [[nodiscard]] int height() const { return height_; }
 
     /// Copies it into the window's framebuffer, which must not be multisampled and stays bound.
     /// @param window_height of that framebuffer [pixels].

@@ -11,8 +11,8 @@
 namespace weft::viewer {
 
 struct WindowRequest {
-    std::optional<SceneDescription> scene;  ///< or
-    std::string recording;                  ///< path; both empty: the shipped flag
+    std::optional<SceneDescription> scene;  ///< either this
+    std::string recording;                  ///< or the path of one
     RenderDescription recording_render;     ///< how it is to look
     std::vector<std::string> compare;       ///< methods beside the scene's own, three at most
     int threads = 0;                        ///< of each simulation; 0: all but one

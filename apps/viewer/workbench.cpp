@@ -7,6 +7,7 @@
 
 #include "io/recording_file.h"
 #include "viewer/file_names.h"
+#include "viewer/scene_difference.h"
 #include "viewer/scene_edits.h"
 #include "weft/error.h"
 
@@ -15,7 +16,6 @@ namespace weft::viewer {
 namespace {
 
 constexpr std::chrono::seconds refusal_shown{5};
-constexpr double stale_seconds = 0.3;  // a view may be older than a request
 constexpr double slowest = 0.01, fastest = 100.0;
 
 }  // namespace
@@ -32,7 +32,7 @@ Workbench::Workbench(const WindowRequest& request, WindowSettings& settings)
         open_recording(request.recording, !request.paused);
         return;
     }
-    const SceneDescription scene = request.scene.value_or(SceneDescription{});
+    const SceneDescription& scene = request.scene.value();
     for (const std::string& method : request.compare) lanes_.push_back(lane_of(scene, method));
     open_scene(scene, !request.paused);
     remember(settings_, scene.file);
@@ -64,11 +64,12 @@ void Workbench::open_scene(const SceneDescription& scene, bool play) {
     speed_ = 1.0;
     refusals_.clear();
     divergences_.clear();
-    refusal_taken_.clear();
+    refusals_taken_ = 0;
     saved_file_.clear();
     measurements.clear();
     was_recording_ = false;
-    recording_asked_.reset();
+    recording_asked_ = false;
+    recording_number_ = 0;
     view_ = flight_->view();
     measurements.add(*view_);
     ask_play(play);
@@ -120,9 +121,9 @@ bool Workbench::refresh_flight() {
     std::shared_ptr<const FlightView> view = flight_->view();
     const bool is_new = view->number != view_->number;
     view_ = std::move(view);
-    note_recording();
     if (!is_new) return false;
     measurements.add(*view_);
+    note_recording();
     take_refusal();
     note_divergences();
     return true;
@@ -271,16 +272,19 @@ void Workbench::set_lanes(std::vector<IntegratorDescription> lanes) {
 
 // A refusal is in every view until the next change; it is obeyed once.
 void Workbench::take_refusal() {
-    if (view_->refusal == refusal_taken_) return;
-    refusal_taken_ = view_->refusal;
-    if (view_->refusal.empty()) return;
+    if (view_->refusals == refusals_taken_) return;
+    refusals_taken_ = view_->refusals;
+    if (view_->refusal.empty()) return;  // what came after it was taken
     if (lanes_asked_last_) {
         refuse("lanes", view_->refusal);
         lanes_ = lanes_before_;
         return;
     }
     refuse(last_edit_, view_->refusal);
-    if (history_->can_undo()) undo();
+    // Of several edits of a drag, all may have been refused: what flies already stays.
+    const SceneDifference differs = difference(view_->scene, scene());
+    const bool flies = !differs.cloth && !differs.physics && !differs.shape && !differs.obstacles;
+    if (!flies && history_->can_undo()) undo();
 }
 
 void Workbench::note_divergences() {
@@ -297,13 +301,12 @@ void Workbench::note_divergences() {
 void Workbench::note_recording() {
     const RecordingView& recording = view_->recording;
     const bool running = recording.active || recording.ending;
-    const bool ended = was_recording_ && !running;
-    // A view from before the request may still hold the error of the recording before it.
-    const bool failed = recording_asked_ && !running && !recording.error.empty() &&
-                        seconds_between(*recording_asked_, Clock::now()) > stale_seconds;
+    const bool began = recording.number != recording_number_;
+    const bool is_over = (was_recording_ || began) && !running;
     was_recording_ = running;
-    if (running || failed) recording_asked_.reset();
-    if (!ended && !failed) return;
+    recording_number_ = recording.number;
+    if (began) recording_asked_ = false;
+    if (!is_over) return;
     if (!recording.error.empty()) messages.add(MessageKind::trouble, recording.error);
     for (const std::string& warning : recording.warnings) {
         messages.add(MessageKind::trouble, warning);
@@ -341,7 +344,7 @@ void Workbench::save(const std::string& file, bool with_state) {
 
 void Workbench::start_recording(const std::string& format, const RenderDescription& render) {
     playable_.clear();
-    recording_asked_ = Clock::now();
+    recording_asked_ = true;
     flight_->start_recording({format, std::filesystem::current_path(), stem(), render});
 }
 

@@ -120,11 +120,13 @@ private:
     bool asked_to_play_ = false;
     std::vector<IntegratorDescription> lanes_, lanes_before_;
     bool lanes_asked_last_ = false;
-    std::string last_edit_, refusal_taken_;
+    std::string last_edit_;
+    std::uint64_t refusals_taken_ = 0;  ///< of the flight
     std::vector<Refusal> refusals_;
     std::vector<std::string> divergences_;  ///< [lane] that were said
     bool was_recording_ = false;
-    std::optional<Clock::time_point> recording_asked_;  ///< and nothing heard of it yet
+    bool recording_asked_ = false;      ///< and nothing heard of it yet
+    std::size_t recording_number_ = 0;  ///< of the last one heard of
     std::filesystem::path playable_, saved_file_;
 
     std::unique_ptr<Playback> playback_;

@@ -71,11 +71,14 @@ double distance(const Obstacle& obstacle, Vec3d x) {
                            : dot(obstacle.normal, x) - obstacle.reach;
 }
 
+// What the precision of numbers leaves open, as a part of them.
+template <typename Real>
+constexpr double rounding = 16.0 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+
 // What the precision of places leaves open, about x [m].
 template <typename Real>
 double slop_at(const Obstacle& obstacle, Vec3d x) {
-    constexpr double rounding = 16.0 * static_cast<double>(std::numeric_limits<Real>::epsilon());
-    return rounding * (largest(x) + largest(obstacle.centre) + std::abs(obstacle.reach));
+    return rounding<Real> * (largest(x) + largest(obstacle.centre) + std::abs(obstacle.reach));
 }
 
 Vec3d normal_at(const Obstacle& obstacle, Vec3d x) {
@@ -217,11 +220,11 @@ bool ObstacleContact<Real>::any_near(ConstVec3View<Real> x, std::size_t begin,
             }
         } else {
             const Vec3<Real> n = vec3_cast<Real>(obstacle.normal);
-            const Real rounding = margin * std::abs(reach) + margin;
+            const Real grown = reach + margin * (std::abs(reach) + Real{1});
             for (std::size_t s = begin; s < end; ++s) {
-                const Real above = n.x * x.x[s] + n.y * x.y[s] + n.z * x.z[s] - reach;
+                const Real height = n.x * x.x[s] + n.y * x.y[s] + n.z * x.z[s];
                 const Real size = std::abs(x.x[s]) + std::abs(x.y[s]) + std::abs(x.z[s]);
-                near |= static_cast<unsigned>(above <= rounding + margin * size);
+                near |= static_cast<unsigned>(height <= grown + margin * size);
             }
         }
         if (near != 0) return true;
@@ -246,8 +249,6 @@ template <typename Real>
 void ObstacleContact<Real>::find_supports(double h, const Vec3Array<Real>& x,
                                           const Vec3Array<Real>& v,
                                           ContactSupports& supports) const {
-    constexpr double rounding = 16.0 * static_cast<double>(std::numeric_limits<Real>::epsilon());
-    supports.list.clear();
     supports.rate = ContactSupports::stiffness / (h * h);
     for_each_near(x.view(), 0, free_.size(), [&](std::size_t s) {
         const Vec3d place = vec3_cast<double>(x[s]), velocity = vec3_cast<double>(v[s]);
@@ -256,7 +257,7 @@ void ObstacleContact<Real>::find_supports(double h, const Vec3Array<Real>& x,
             const double above = distance(obstacle, place);
             if (!(std::abs(above) <= slop_at<Real>(obstacle, place))) continue;
             const Vec3d normal = normal_at(obstacle, place);
-            if (dot(velocity, normal) > rounding * (1.0 + length(velocity))) continue;
+            if (dot(velocity, normal) > rounding<Real> * (1.0 + length(velocity))) continue;
             supports.list.push_back({s, n, normal, dot(normal, place) - above});
         }
     });

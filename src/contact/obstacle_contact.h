@@ -40,7 +40,7 @@ public:
     void begin_step(const Vec3Array<Real>& x);
 
     /// Finds what holds up the cloth in a step of h that begins so.
-    /// @pre begin_step(x).
+    /// @param supports have none yet.  @pre begin_step(x).
     void find_supports(double h, const Vec3Array<Real>& x, const Vec3Array<Real>& v,
                        ContactSupports& supports) const;
 

@@ -90,20 +90,25 @@ double NewtonSolver::find_direction(ImplicitSystem& system, double forcing) {
     return dot(b_, d_);
 }
 
-double NewtonSolver::move_along(ImplicitSystem& system, const ImplicitStage& stage, double slope,
-                                Vec3Array<double>& x, Vec3Array<double>& v) {
+bool NewtonSolver::move_along(ImplicitSystem& system, const ImplicitStage& stage, double slope,
+                              Vec3Array<double>& x, Vec3Array<double>& v) {
+    if (!(slope > 0.0) || !std::isfinite(slope)) return false;
     start_ = x;
     double fraction = 1.0;
     for (int n = 0; n < max_shortenings; ++n) {
         move(start_.view(), fraction, std::as_const(d_).view(), x.view());
         evaluate(system, stage, x.view(), v.view());
         const double end_slope = dot(b_, d_);
-        if (end_slope >= -overshoot * slope) return fraction;
+        if (end_slope >= -overshoot * slope) {
+            report_.displacement = fraction * longest(d_);
+            return true;
+        }
         // Where a parabola through both slopes is lowest.
         const double secant = slope / (slope - end_slope);
         fraction *= std::isfinite(end_slope) ? std::clamp(secant, 0.1, 0.7) : 0.1;
     }
-    return 0.0;
+    report_.displacement = 0.0;
+    return false;
 }
 
 bool NewtonSolver::iterate(ImplicitSystem& system, const ImplicitStage& stage, double forcing,
@@ -119,10 +124,7 @@ bool NewtonSolver::iterate(ImplicitSystem& system, const ImplicitStage& stage, d
         d_ = plain_;  // what was remembered misleads here
         mixing_.clear();
     }
-    if (!(slope > 0.0) || !std::isfinite(slope)) return false;
-    const double fraction = move_along(system, stage, slope, x, v);
-    report_.displacement = fraction * longest(d_);
-    return fraction > 0.0;
+    return move_along(system, stage, slope, x, v);
 }
 
 NewtonReport NewtonSolver::solve(ImplicitSystem& system, const ImplicitStage& stage,
@@ -154,14 +156,15 @@ NewtonReport NewtonSolver::solve_once(ImplicitSystem& system, const ImplicitStag
     report_ = {};
     mixing_.clear();
     evaluate(system, stage, x.view(), v.view());
+    report_.residual = longest(b_);
+    report_.converged = report_.residual == 0.0;  // as of a cloth that nothing moves
+    if (report_.converged) return report_;
     ++report_.iterations;
     system.linearise(stage.t, 1.0 / stage.tau, std::as_const(x).view(), std::as_const(v).view());
     const double slope = find_direction(system, single_forcing);
-    if (!(slope > 0.0) || !std::isfinite(slope)) return report_;
-    const double fraction = move_along(system, stage, slope, x, v);
-    report_.displacement = fraction * longest(d_);
+    const bool moved = move_along(system, stage, slope, x, v);
     report_.residual = longest(b_);
-    report_.converged = report_.linear_converged && fraction > 0.0;
+    report_.converged = report_.linear_converged && moved;
     return report_;
 }
 

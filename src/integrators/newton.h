@@ -69,9 +69,9 @@ private:
                   Vec3View<double> v);
     // d, and b.d.
     double find_direction(ImplicitSystem& system, double forcing);
-    // The fraction of d that x was moved by; 0: nowhere along d forces are finite.
-    double move_along(ImplicitSystem& system, const ImplicitStage& stage, double slope,
-                      Vec3Array<double>& x, Vec3Array<double>& v);
+    // Moves x by as much of d as does not overshoot. False: no way on from x along d.
+    bool move_along(ImplicitSystem& system, const ImplicitStage& stage, double slope,
+                    Vec3Array<double>& x, Vec3Array<double>& v);
     // False: no way on from x.
     bool iterate(ImplicitSystem& system, const ImplicitStage& stage, double forcing,
                  Vec3Array<double>& x, Vec3Array<double>& v);

@@ -133,6 +133,20 @@ Bytes npy_head(std::string_view element, std::string_view shape) {
     return head;
 }
 
+void write_npy_vectors(OutputFile& file, std::span<const Vec3d> vectors) {
+    static_assert(sizeof(Vec3d) == 24);
+    if constexpr (std::endian::native == std::endian::little) {
+        file.write(std::as_bytes(vectors));
+    } else {
+        Bytes bytes;
+        bytes.reserve(vectors.size_bytes());
+        for (const Vec3d& vector : vectors)
+            for (const double component : {vector.x, vector.y, vector.z})
+                append_little(bytes, component);
+        file.write(bytes);
+    }
+}
+
 NpyHead read_npy_head(const InputFile& file) {
     const std::uint64_t fixed = magic.size() + 2;
     const Bytes start = file.size() < fixed ? Bytes{} : file.read(0, fixed);

@@ -1,13 +1,16 @@
-// The head of a NumPy file: what the numbers behind it are.
+// NumPy files: the head, which says what the numbers behind it are, and vectors behind it.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/byte_order.h"
 #include "io/input_file.h"
+#include "io/output_file.h"
+#include "weft/vec3.h"
 
 namespace weft {
 
@@ -21,6 +24,9 @@ struct NpyHead {
 /// A head of format 1.0, of 128 bytes whatever the shape.
 /// @param shape as Python writes a tuple, without the parentheses: "2, 1600, 3".
 Bytes npy_head(std::string_view element, std::string_view shape);
+
+/// Vectors as elements "<f8".  @throws Error (file).
+void write_npy_vectors(OutputFile& file, std::span<const Vec3d> vectors);
 
 /// Reads a head of format 1.0, 2.0 or 3.0.
 /// @throws Error (file) where there is none, or where it says something twice, not or otherwise.

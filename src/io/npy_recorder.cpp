@@ -29,16 +29,8 @@ void NpyRecorder::write_heads() {
 void NpyRecorder::write_vectors(OutputFile& file, std::span<const Vec3d> vectors) {
     if (precision_ == Precision::f32) {
         points_.write(file, vectors);
-    } else if constexpr (std::endian::native == std::endian::little) {
-        static_assert(sizeof(Vec3d) == 24);
-        file.write(std::as_bytes(vectors));
     } else {
-        Bytes bytes;
-        bytes.reserve(24 * vectors.size());
-        for (const Vec3d& vector : vectors)
-            for (const double component : {vector.x, vector.y, vector.z})
-                append_little(bytes, component);
-        file.write(bytes);
+        write_npy_vectors(file, vectors);
     }
 }
 

@@ -14,13 +14,13 @@
 
 namespace weft {
 
-namespace {
-
 void write_png(OutputFile& file, const Image& image) {
     const std::vector<std::uint8_t> png = encode_png(image);
     file.write(std::as_bytes(std::span(png)));
     file.commit();
 }
+
+namespace {
 
 class PngRecorder final : public Recorder {
 public:

@@ -9,6 +9,13 @@
 
 namespace weft {
 
+class OutputFile;
+struct Image;
+
+/// Writes a picture as PNG and puts the file in its place.
+/// @throws Error (file).
+void write_png(OutputFile& file, const Image& image);
+
 /// A recorder that draws every frame. NAME.mp4, NAME.webm and NAME.gif are made through the ffmpeg
 /// program; "png" makes a folder NAME.png-frames with NAME.0000.png and so on.
 /// begin() throws Error (file) where ffmpeg or OpenGL is missing or the texture cannot be read.

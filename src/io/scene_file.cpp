@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/mesh_file.h"
@@ -64,28 +66,34 @@ void require_readable(const fs::path& path, const std::string& key, const std::s
                 fmt::format("Looked for {}.", path.string()));
 }
 
-void load_mesh_of(SceneDescription& scene, const SceneDocument& document) {
-    const std::string key = "cloth.mesh";
-    const std::string written = scene.cloth.mesh_path;
-    const TomlValue* cloth = document.root.find("cloth");
-    if (!cloth || !cloth->find("mesh")) return;
-    if (written.empty()) throw scene_error(key, in_quotes(written), "path of an OBJ or PLY file");
+/// Path of the file that the scene names at a key; none: it has no such key.
+/// @param written as it stands there.  @param allowed says what file, for errors.
+std::optional<fs::path> named_file(std::string_view section, std::string_view name,
+                                   const std::string& written, const std::string& allowed,
+                                   const SceneDocument& document) {
+    const TomlValue* table = document.root.find(section);
+    if (!table || !table->find(name)) return {};
+    const std::string key = fmt::format("{}.{}", section, name);
+    if (written.empty()) throw scene_error(key, in_quotes(written), allowed);
     const fs::path path = resolved(written, key, document);
     require_readable(path, key, written, document);
-    scene.cloth.mesh_path = path.string();
-    scene.cloth.mesh = std::make_shared<const Mesh>(load_mesh(path));
+    return path;
+}
+
+void load_mesh_of(SceneDescription& scene, const SceneDocument& document) {
+    std::string& written = scene.cloth.mesh_path;
+    const auto path = named_file("cloth", "mesh", written, "path of an OBJ or PLY file", document);
+    if (!path) return;
+    written = path->string();
+    scene.cloth.mesh = std::make_shared<const Mesh>(load_mesh(*path));
 }
 
 void load_start_of(SceneDescription& scene, const SceneDocument& document) {
-    const std::string key = "start.state";
-    const std::string written = scene.start.state_path;
-    const TomlValue* start = document.root.find("start");
-    if (!start || !start->find("state")) return;
-    if (written.empty()) throw scene_error(key, in_quotes(written), "path of a NumPy file");
-    const fs::path path = resolved(written, key, document);
-    require_readable(path, key, written, document);
-    scene.start.state_path = path.string();
-    scene.start.state = std::make_shared<const ClothState>(load_start_state(path));
+    std::string& written = scene.start.state_path;
+    const auto path = named_file("start", "state", written, "path of a NumPy file", document);
+    if (!path) return;
+    written = path->string();
+    scene.start.state = std::make_shared<const ClothState>(load_start_state(*path));
 }
 
 void resolve_texture(SceneDescription& scene, const SceneDocument& document) {

@@ -193,10 +193,10 @@ const std::array table{
         +[](S& s, Index) -> std::uint64_t& { return s.wind.value().gust.seed; }, has_gust},
 
     SceneKey{"integrator.method", "", "\"auto\"", "a method of `weft list integrators`, or \"auto\"",
-        "How positions and velocities are advanced by a step. \"auto\": velocity-verlet where its stable steps cost less than an implicit method's, tr-bdf2 where they cost more.",
+        "How positions and velocities are advanced by a step. \"auto\": velocity-verlet where its stable steps cost less than an implicit method's, tr-bdf2 where they cost more; among obstacles implicit-euler in its place.",
         +[](S& s, Index) -> std::string& { return s.integrator.method; }},
     SceneKey{"integrator.time_step", "s", "\"auto\"", scene_rules::time_step,
-        "Largest step; the step taken divides a frame into a whole number. \"auto\": 0.9 of the largest stable step; where a method has no such limit, the step of `weft list integrators`; where it controls its error, what that allows.",
+        "Largest step; the step taken divides a frame into a whole number. \"auto\": 0.9 of the largest stable step; where a method has no such limit, the step of `weft list integrators`; where it controls its error, what that allows. Among obstacles at most 1/480 s, or 1/240 s (docs/contact.md).",
         +[](S& s, Index) -> std::optional<double>& { return s.integrator.time_step; }},
     SceneKey{"integrator.precision", "", "\"single\"", "\"single\" or \"double\"",
         "32- or 64-bit floating point.",

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cloth/same_mesh.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/scene_limits.h"
@@ -47,23 +48,13 @@ bool is_texture_name(const std::string& texture) {
                        [&](const TextureInfo& row) { return row.name == texture; });
 }
 
-bool same_face(const Mesh::Face& a, const Mesh::Face& b) {
-    return a.corners == b.corners && a.position == b.position && a.uv == b.uv;
-}
-
 /// The scene refers to the file, so what it has must be what the file has.
 void require_mesh_file(const ClothDescription& cloth) {
     if (cloth.mesh_path.empty()) {
         throw scene_error("cloth.mesh", in_quotes(cloth.mesh_path),
                           "the path of the mesh's file, to save the scene");
     }
-    const Mesh file = load_mesh(cloth.mesh_path);
-    const Mesh& mesh = *cloth.mesh;
-    const bool same = file.positions == mesh.positions && file.uvs == mesh.uvs &&
-                      file.source_faces == mesh.source_faces &&
-                      std::equal(file.faces.begin(), file.faces.end(), mesh.faces.begin(),
-                                 mesh.faces.end(), same_face);
-    if (same) return;
+    if (same_mesh(load_mesh(cloth.mesh_path), *cloth.mesh)) return;
     throw file_error(cloth.mesh_path, "is no longer the mesh of the scene that is saved");
 }
 

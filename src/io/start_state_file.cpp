@@ -73,15 +73,8 @@ ClothState load_start_state(const std::filesystem::path& path) {
 
 void write_start_state(OutputFile& file, const ClothState& state) {
     file.write(npy_head("<f8", fmt::format("2, {}, 3", state.positions.size())));
-    Bytes bytes;
-    for (const auto* vectors : {&state.positions, &state.velocities}) {
-        bytes.clear();
-        bytes.reserve(24 * vectors->size());
-        for (const Vec3d& vector : *vectors) {
-            for (const double number : {vector.x, vector.y, vector.z}) append_little(bytes, number);
-        }
-        file.write(bytes);
-    }
+    write_npy_vectors(file, state.positions);
+    write_npy_vectors(file, state.velocities);
 }
 
 }  // namespace weft

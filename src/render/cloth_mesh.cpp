@@ -14,14 +14,6 @@ namespace weft {
 
 namespace {
 
-template <typename Element>
-void fill_buffer(GLenum target, const GlBuffer& buffer, const std::vector<Element>& elements,
-                 GLenum usage) {
-    glBindBuffer(target, buffer.name());
-    glBufferData(target, static_cast<GLsizeiptr>(elements.size() * sizeof(Element)),
-                 elements.data(), usage);
-}
-
 bool leaves_unit_square(const Surface& surface) {
     return std::any_of(surface.uvs.begin(), surface.uvs.end(), [](const auto& uv) {
         return uv[0] < 0.0F || uv[0] > 1.0F || uv[1] < 0.0F || uv[1] > 1.0F;

@@ -96,4 +96,12 @@ using GlRenderbuffer = GlObject<GlRenderbufferKind>;
 using GlSampler = GlObject<GlSamplerKind>;
 using GlProgram = GlObject<GlProgramKind>;
 
+/// Binds a buffer and replaces what it holds by a vector or a span.
+template <typename Elements>
+void fill_buffer(GLenum target, const GlBuffer& buffer, const Elements& elements, GLenum usage) {
+    glBindBuffer(target, buffer.name());
+    glBufferData(target, static_cast<GLsizeiptr>(elements.size() * sizeof(*elements.data())),
+                 elements.data(), usage);
+}
+
 }  // namespace weft

@@ -50,18 +50,13 @@ void end() {
     glDisable(GL_SCISSOR_TEST);
 }
 
-void upload(GLenum target, const GlBuffer& buffer, std::span<const OverlayVertex> vertices) {
-    glBindBuffer(target, buffer.name());
-    glBufferData(target, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data(),
-                 GL_STREAM_DRAW);
-}
-
 }  // namespace
 
 Overlay::Overlay()
-    : line_program_(make_program("\n", shaders::line_vertex, shaders::line_fragment)),
-      thin_line_program_(make_program("\n", shaders::mark_vertex, shaders::thin_line_fragment)),
-      point_program_(make_program("\n", shaders::mark_vertex, shaders::point_fragment)) {
+    : line_program_(make_program(shaders::mark, shaders::line_vertex, shaders::line_fragment)),
+      thin_line_program_(
+          make_program(shaders::mark, shaders::mark_vertex, shaders::thin_line_fragment)),
+      point_program_(make_program(shaders::mark, shaders::mark_vertex, shaders::point_fragment)) {
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels_);
     glBindVertexArray(mark_array_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
@@ -87,7 +82,7 @@ void Overlay::draw_lines(std::span<const OverlayVertex> lines, float width, cons
     const std::size_t most = static_cast<std::size_t>(most_texels_) / 2 * 2;
     for (std::size_t first = 0; first + 1 < lines.size(); first += most) {
         const auto part = lines.subspan(first, std::min(most, lines.size() - first));
-        upload(GL_TEXTURE_BUFFER, vertices_, part);
+        fill_buffer(GL_TEXTURE_BUFFER, vertices_, part, GL_STREAM_DRAW);
         glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, vertices_.name());
         glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(part.size() / 2 * 6));
     }
@@ -97,7 +92,7 @@ void Overlay::draw_lines(std::span<const OverlayVertex> lines, float width, cons
 void Overlay::draw_thin_lines(std::span<const OverlayVertex> lines, const Camera& camera,
                               const DrawTarget& target) {
     begin(thin_line_program_, camera, target, {1.0F, 0.0F});
-    upload(GL_ARRAY_BUFFER, vertices_, lines);
+    fill_buffer(GL_ARRAY_BUFFER, vertices_, lines, GL_STREAM_DRAW);
     glBindVertexArray(mark_array_.name());
     glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(lines.size() / 2 * 2));
     end();
@@ -108,7 +103,7 @@ void Overlay::draw_points(std::span<const OverlayVertex> points, float size, con
     if (points.empty()) return;
     begin(point_program_, camera, target, {size, 0.0F});
     glEnable(GL_PROGRAM_POINT_SIZE);
-    upload(GL_ARRAY_BUFFER, vertices_, points);
+    fill_buffer(GL_ARRAY_BUFFER, vertices_, points, GL_STREAM_DRAW);
     glBindVertexArray(mark_array_.name());
     glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(points.size()));
     glDisable(GL_PROGRAM_POINT_SIZE);

@@ -1,7 +1,6 @@
 // The lists of lines and points that an Overlay draws, from what is to be shown. No OpenGL.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

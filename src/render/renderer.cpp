@@ -1,9 +1,7 @@
 // The passes of a picture: shadow map, cloth and solids, ground, sky.
 #include "render/renderer.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <string>
 #include <variant>
 
 #include "render/mast.h"

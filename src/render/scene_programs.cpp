@@ -19,12 +19,12 @@ std::string joined(Texts... texts) {
 
 GlProgram full(std::string_view vertex, std::string_view before, std::string_view fragment) {
     return make_program(shaders::scene, vertex,
-                        joined(shaders::light, shaders::pixel, before, fragment));
+                        joined(shaders::light, shaders::dither, shaders::pixel, before, fragment));
 }
 
 GlProgram quick(std::string_view vertex, std::string_view before, std::string_view fragment) {
     return make_program(shaders::scene, joined(shaders::light, vertex),
-                        joined(shaders::light, shaders::quick, before, fragment));
+                        joined(shaders::light, shaders::dither, shaders::quick, before, fragment));
 }
 
 /// A quick program with a constant for its vertex shader.

@@ -5,15 +5,15 @@
 
 namespace weft::shaders {
 
-extern const std::string_view scene;  ///< scene.glsl: uniforms; before every shader
-extern const std::string_view light;  ///< light.glsl: light and sky; before every lit shader
-extern const std::string_view
-    pixel;  ///< pixel.glsl: dither and shadow; before every lit fragment shader
-extern const std::string_view open_sky;        ///< open_sky.glsl: before the two of the ground
-extern const std::string_view quick;           ///< quick.glsl: before every quick fragment shader
-extern const std::string_view mesh_vertex;     ///< mesh.vert
-extern const std::string_view cloth_fragment;  ///< cloth.frag
-extern const std::string_view solid_fragment;  ///< solid.frag
+extern const std::string_view scene;     ///< scene.glsl: uniforms; before every shader of a scene
+extern const std::string_view light;     ///< light.glsl: light and sky; before every lit shader
+extern const std::string_view dither;    ///< dither.glsl: before every lit fragment shader
+extern const std::string_view pixel;     ///< pixel.glsl: shadow; before every full fragment shader
+extern const std::string_view open_sky;  ///< open_sky.glsl: before the two of the ground
+extern const std::string_view quick;     ///< quick.glsl: before every quick fragment shader
+extern const std::string_view mesh_vertex;             ///< mesh.vert
+extern const std::string_view cloth_fragment;          ///< cloth.frag
+extern const std::string_view solid_fragment;          ///< solid.frag
 extern const std::string_view obstacle_fragment;       ///< obstacle.frag
 extern const std::string_view ground_vertex;           ///< ground.vert
 extern const std::string_view ground_fragment;         ///< ground.frag
@@ -32,6 +32,7 @@ extern const std::string_view quick_contact_vertex;    ///< quick_contact.vert
 extern const std::string_view quick_contact_fragment;  ///< quick_contact.frag
 extern const std::string_view quick_sky_vertex;        ///< quick_sky.vert
 extern const std::string_view quick_sky_fragment;      ///< quick_sky.frag
+extern const std::string_view mark;                    ///< mark.glsl: before the five below
 extern const std::string_view line_vertex;             ///< line.vert
 extern const std::string_view line_fragment;           ///< line.frag
 extern const std::string_view mark_vertex;             ///< mark.vert

@@ -27,13 +27,8 @@ void SolidMesh::set(const Solid& solid) {
     index_count_ = static_cast<GLsizei>(solid.indices.size());
     if (index_count_ == 0) return;
     glBindVertexArray(vertex_array_.name());  // which holds the buffer of indices
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(solid.indices.size() * sizeof(std::uint32_t)),
-                 solid.indices.data(), GL_STREAM_DRAW);
-    glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-    glBufferData(GL_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(solid.vertices.size() * sizeof(SolidVertex)),
-                 solid.vertices.data(), GL_STREAM_DRAW);
+    fill_buffer(GL_ELEMENT_ARRAY_BUFFER, indices_, solid.indices, GL_STREAM_DRAW);
+    fill_buffer(GL_ARRAY_BUFFER, vertices_, solid.vertices, GL_STREAM_DRAW);
     glBindVertexArray(0);
 }
 

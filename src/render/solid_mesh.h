@@ -12,7 +12,6 @@ public:
 
     void set(const Solid& solid);  ///< replaces what was there
     void draw() const;
-    [[nodiscard]] bool empty() const { return index_count_ == 0; }
 
 private:
     GlVertexArray vertex_array_;

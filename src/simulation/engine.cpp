@@ -82,6 +82,7 @@ private:
         return steps_a_frame(scene_, method, modes_);
     }
     [[nodiscard]] IntegratorKind kind() const { return find_integrator(method_.method)->kind; }
+    void put_grips();
     void put_at_start();
     void go_on_from(const ClothEngine& previous);
     void follow_stretching();
@@ -174,7 +175,7 @@ void ClothEngine<Real>::change_integrator() {
         method_.method, {options_.instruction_set, solver_tolerance(scene_, cloth_, method_.method),
                          chosen.iterations, chosen.time_step}));
     motion_.filter().suit(*find_integrator(method_.method));
-    set_grips(std::vector<Grip>(grips_));
+    put_grips();
 }
 
 template <typename Real>
@@ -184,11 +185,17 @@ void ClothEngine<Real>::change_obstacles() {
         steps_per_frame_ = steps_of(method_.method);
     }
     motion_.filter().set_obstacles(scene_.obstacles);
+    motion_.system().supports().list.clear();  // of the last step; settle() would rest on them
 }
 
 template <typename Real>
 void ClothEngine<Real>::set_grips(std::span<const Grip> grips) {
     grips_.assign(grips.begin(), grips.end());
+    put_grips();
+}
+
+template <typename Real>
+void ClothEngine<Real>::put_grips() {
     GripSprings springs = grip_springs(grips_, cloth_);
     for (GripSpring& spring : springs) spring.velocity = vec3_cast<double>(v()[spring.slot]);
     motion_.system().set_grips(std::move(springs));
@@ -349,7 +356,7 @@ void ClothEngine<Real>::set_state(std::span<const Vec3d> x, std::span<const Vec3
         state.v.set(slot, vec3_cast<Real>(v[p]));
     });
     motion_.state_changed();
-    if (!grips_.empty()) set_grips(std::vector<Grip>(grips_));
+    put_grips();
 }
 
 }  // namespace

@@ -3,19 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <string>
 
-#include "simulation/scene_rules.h"
-#include "weft/error.h"
+#include "simulation/scene_require.h"
 
 namespace weft {
 
 namespace {
-
-void check_number(const std::string& key, double value) {
-    if (std::isfinite(value) && value >= 0.0) return;
-    throw scene_error(key, fmt::format("{}", value), std::string(scene_rules::not_negative));
-}
 
 bool is_pinned(const ClothModel& cloth, std::size_t particle) {
     const auto found =
@@ -30,17 +24,11 @@ void check_grips(std::span<const Grip> grips, std::size_t particle_count) {
     for (std::size_t n = 0; n < grips.size(); ++n) {
         const Grip& grip = grips[n];
         const std::string key = fmt::format("grips[{}]", n);
-        if (grip.particle >= particle_count) {
-            throw scene_error(key + ".particle", fmt::format("{}", grip.particle),
-                              fmt::format("the cloth has particles 0 to {}", particle_count - 1));
-        }
-        if (!is_finite(grip.point)) {
-            throw scene_error(key + ".point",
-                              fmt::format("[{}, {}, {}]", grip.point.x, grip.point.y, grip.point.z),
-                              std::string(scene_rules::vector));
-        }
-        check_number(key + ".stiffness", grip.stiffness);
-        check_number(key + ".damping", grip.damping);
+        require(grip.particle < particle_count, key + ".particle", fmt::format("{}", grip.particle),
+                fmt::format("the cloth has particles 0 to {}", particle_count - 1));
+        require_finite(key + ".point", grip.point);
+        require_not_negative(key + ".stiffness", grip.stiffness);
+        require_not_negative(key + ".damping", grip.damping);
     }
 }
 

@@ -1,8 +1,10 @@
 #include "simulation/scene_change.h"
 
-#include <algorithm>
+#include <functional>
+#include <memory>
 #include <string>
 
+#include "cloth/same_mesh.h"
 #include "weft/error.h"
 
 namespace weft {
@@ -15,30 +17,17 @@ void require_same(bool same, const std::string& key) {
                       "the same in the middle of a run; begin another");
 }
 
-bool same_faces(const Mesh& a, const Mesh& b) {
-    const auto same = [](const Mesh::Face& f, const Mesh::Face& g) {
-        return f.position == g.position && f.uv == g.uv && f.corners == g.corners;
-    };
-    return std::equal(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(), same);
-}
-
-// A file that was read again is the same mesh.
-bool same_mesh(const SceneDescription& from, const SceneDescription& to) {
-    const Mesh *const a = from.cloth.mesh.get(), *const b = to.cloth.mesh.get();
-    if (a == b) return true;
-    return a != nullptr && b != nullptr && a->positions == b->positions && a->uvs == b->uvs &&
-           same_faces(*a, *b);
-}
-
-bool same_state(const StartDescription& from, const StartDescription& to) {
-    const ClothState *const a = from.state.get(), *const b = to.state.get();
-    return a == b || (a != nullptr && b != nullptr && *a == *b);
+// Whether both are there and the same, or neither is.
+template <typename Value, typename Same>
+bool same_value(const std::shared_ptr<const Value>& a, const std::shared_ptr<const Value>& b,
+                const Same& same) {
+    return a == b || (a && b && same(*a, *b));
 }
 
 }  // namespace
 
 SceneChange scene_change(const SceneDescription& from, const SceneDescription& to) {
-    require_same(same_mesh(from, to), "cloth.mesh");
+    require_same(same_value(from.cloth.mesh, to.cloth.mesh, same_mesh), "cloth.mesh");
     if (!from.cloth.mesh) {
         const GridDescription &a = from.cloth.grid, &b = to.cloth.grid;
         require_same(a.resolution == b.resolution, "cloth.resolution");
@@ -46,7 +35,7 @@ SceneChange scene_change(const SceneDescription& from, const SceneDescription& t
         require_same(a.plane == b.plane, "cloth.plane");
         require_same(a.origin == b.origin, "cloth.origin");
     }
-    require_same(same_state(from.start, to.start), "start.state");
+    require_same(same_value(from.start.state, to.start.state, std::equal_to<>{}), "start.state");
     require_same(from.start.time == to.start.time, "start.time");
     require_same(from.output.frames_per_second == to.output.frames_per_second,
                  "output.frames_per_second");

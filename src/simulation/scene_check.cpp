@@ -12,6 +12,7 @@
 
 #include "math/nearest_name.h"
 #include "math/quoting.h"
+#include "simulation/scene_require.h"
 #include "simulation/scene_rules.h"
 #include "simulation/scene_words.h"
 #include "weft/error.h"
@@ -22,36 +23,12 @@ namespace weft {
 
 namespace {
 
-std::string text(double value) {
-    return fmt::format("{}", value);
-}
-std::string text(Vec3d v) {
-    return fmt::format("[{}, {}, {}]", v.x, v.y, v.z);
-}
-template <typename Number>
-std::string text(const std::array<Number, 2>& pair) {
-    return fmt::format("[{}, {}]", pair[0], pair[1]);
-}
-
-void require(bool holds, const std::string& key, const std::string& value,
-             std::string_view allowed) {
-    if (!holds) throw scene_error(key, value, std::string(allowed));
-}
-
 bool is_positive(double value) {
     return std::isfinite(value) && value > 0.0;
 }
 
 void require_positive(const std::string& key, double value) {
-    require(is_positive(value), key, text(value), scene_rules::positive);
-}
-
-void require_not_negative(const std::string& key, double value) {
-    require(std::isfinite(value) && value >= 0.0, key, text(value), scene_rules::not_negative);
-}
-
-void require_finite(const std::string& key, Vec3d value) {
-    require(is_finite(value), key, text(value), scene_rules::vector);
+    require(is_positive(value), key, value_text(value), scene_rules::positive);
 }
 
 /// Refuses a name that is not in a catalogue, with the nearest one that is.
@@ -67,10 +44,10 @@ void require_known(const std::string& key, const std::string& name, const Catalo
 }
 
 void check_grid(const GridDescription& grid) {
-    require(is_positive(grid.size[0]) && is_positive(grid.size[1]), "cloth.size", text(grid.size),
-            scene_rules::sheet_size);
+    require(is_positive(grid.size[0]) && is_positive(grid.size[1]), "cloth.size",
+            value_text(grid.size), scene_rules::sheet_size);
     require(grid.resolution[0] >= 2 && grid.resolution[1] >= 2, "cloth.resolution",
-            text(grid.resolution), scene_rules::resolution);
+            value_text(grid.resolution), scene_rules::resolution);
     require_finite("cloth.origin", grid.origin);
 }
 
@@ -83,8 +60,8 @@ void check_mesh(const ClothDescription& cloth) {
 void check_size(const SceneDescription& scene) {
     const double particles = particle_estimate(scene);
     const std::string key = scene.cloth.mesh ? "cloth.mesh" : "cloth.resolution";
-    const std::string value =
-        scene.cloth.mesh ? in_quotes(scene.cloth.mesh_path) : text(scene.cloth.grid.resolution);
+    const std::string value = scene.cloth.mesh ? in_quotes(scene.cloth.mesh_path)
+                                               : value_text(scene.cloth.grid.resolution);
     constexpr double most_particles = std::numeric_limits<std::uint32_t>::max() - 1.0;
     require(
         particles <= most_particles, key, value,
@@ -150,7 +127,7 @@ struct SelectorCheck {
         const auto [low, high] = box;
         const bool ordered = low.x <= high.x && low.y <= high.y && low.z <= high.z;
         require(is_finite(low) && is_finite(high) && ordered, key,
-                fmt::format("box = [{}, {}]", text(low), text(high)),
+                fmt::format("box = [{}, {}]", value_text(low), value_text(high)),
                 "two corners of finite numbers, none of the first above that of the second");
     }
 
@@ -168,10 +145,10 @@ void check_pin(const std::string& pin_key, const PinDescription& pin,
     for (std::size_t i = 0; i < pin.motion.size(); ++i) {
         const PinKeyframe& keyframe = pin.motion[i];
         const std::string key = fmt::format("{}.motion[{}]", pin_key, i);
-        require(std::isfinite(keyframe.time), key + ".time", text(keyframe.time),
+        require(std::isfinite(keyframe.time), key + ".time", value_text(keyframe.time),
                 "a finite number");
         require(i == 0 || keyframe.time > pin.motion[i - 1].time, key + ".time",
-                text(keyframe.time), "later than the keyframe before");
+                value_text(keyframe.time), "later than the keyframe before");
         require_finite(key + ".offset", keyframe.offset);
     }
 }
@@ -184,11 +161,11 @@ void check_obstacle(const std::string& key, const ObstacleDescription& obstacle)
         const auto& plane = std::get<PlaneObstacle>(obstacle.shape);
         require_finite(key + ".plane.point", plane.point);
         require(is_finite(plane.normal) && plane.normal != Vec3d{}, key + ".plane.normal",
-                text(plane.normal), scene_rules::normal);
+                value_text(plane.normal), scene_rules::normal);
     }
     require(obstacle.friction >= 0.0 && obstacle.friction <= 10.0, key + ".friction",
-            text(obstacle.friction), scene_rules::friction);
-    require(obstacle.gap >= 0.0 && obstacle.gap <= 1.0, key + ".gap", text(obstacle.gap),
+            value_text(obstacle.friction), scene_rules::friction);
+    require(obstacle.gap >= 0.0 && obstacle.gap <= 1.0, key + ".gap", value_text(obstacle.gap),
             scene_rules::gap);
 }
 
@@ -215,10 +192,11 @@ void check_start(const SceneDescription& scene) {
             fmt::format("a state of {} positions and {} velocities", x.size(), v.size()),
             "as many of both");
     for (std::size_t p = 0; p < x.size(); ++p) {
-        require(
-            is_finite(x[p]) && is_finite(v[p]), "start.state",
-            fmt::format("position {} and velocity {} of particle {}", text(x[p]), text(v[p]), p),
-            "finite numbers");
+        if (is_finite(x[p]) && is_finite(v[p])) continue;
+        throw scene_error("start.state",
+                          fmt::format("position {} and velocity {} of particle {}",
+                                      value_text(x[p]), value_text(v[p]), p),
+                          "finite numbers");
     }
     if (scene.cloth.mesh) return;
     const double particles = particle_estimate(scene);
@@ -238,7 +216,7 @@ void check_forces(const SceneDescription& scene) {
     require_not_negative("wind.drag", wind.drag);
     require_not_negative("wind.skin_friction", wind.skin_friction);
     require(wind.gust.spread >= 0.0 && wind.gust.spread < 1.0, "wind.gust.spread",
-            text(wind.gust.spread), scene_rules::spread);
+            value_text(wind.gust.spread), scene_rules::spread);
     require_positive("wind.gust.period", wind.gust.period);
 }
 
@@ -249,11 +227,11 @@ void check_times(const IntegratorDescription& integrator, const OutputDescriptio
     require_positive("output.frames_per_second", output.frames_per_second);
     require(
         output.duration * output.frames_per_second <= most, "output.duration",
-        text(output.duration),
+        value_text(output.duration),
         fmt::format("at most {} frames at {} frames per second", most, output.frames_per_second));
     if (integrator.tolerance) {
         require(is_positive(*integrator.tolerance), "integrator.tolerance",
-                text(*integrator.tolerance), scene_rules::tolerance);
+                value_text(*integrator.tolerance), scene_rules::tolerance);
     }
     if (integrator.iterations) {
         require(*integrator.iterations >= 1 && *integrator.iterations <= 100'000,
@@ -262,8 +240,8 @@ void check_times(const IntegratorDescription& integrator, const OutputDescriptio
     }
     if (!integrator.time_step) return;
     const double step = *integrator.time_step;
-    require(is_positive(step), "integrator.time_step", text(step), scene_rules::time_step);
-    require(1.0 <= most * step * output.frames_per_second, "integrator.time_step", text(step),
+    require(is_positive(step), "integrator.time_step", value_text(step), scene_rules::time_step);
+    require(1.0 <= most * step * output.frames_per_second, "integrator.time_step", value_text(step),
             fmt::format("at most {} steps a frame at {} frames per second", most,
                         output.frames_per_second));
 }
@@ -283,15 +261,15 @@ void check_implicit(const SceneDescription& scene) {
 
 void check_render(const RenderDescription& render) {
     for (const int pixels : render.size) {
-        require(pixels >= 16 && pixels <= 8192 && pixels % 2 == 0, "render.size", text(render.size),
-                scene_rules::picture_size);
+        require(pixels >= 16 && pixels <= 8192 && pixels % 2 == 0, "render.size",
+                value_text(render.size), scene_rules::picture_size);
     }
     require(render.field_of_view > 0.0 && render.field_of_view < 180.0, "render.field_of_view",
-            text(render.field_of_view), scene_rules::field_of_view);
+            value_text(render.field_of_view), scene_rules::field_of_view);
     if (render.camera) require_finite("render.camera", *render.camera);
     if (render.target) require_finite("render.target", *render.target);
     require(!render.camera || !render.target || *render.camera != *render.target, "render.target",
-            text(render.target.value_or(Vec3d{})), "another place than render.camera");
+            value_text(render.target.value_or(Vec3d{})), "another place than render.camera");
 }
 
 bool is_one_line(const std::string& name) {

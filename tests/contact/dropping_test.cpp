@@ -5,15 +5,10 @@
 #include <algorithm>
 
 #include "contact_scenes.h"
+#include "support/test_name.h"
 
 namespace weft::test {
 namespace {
-
-std::string test_name(const testing::TestParamInfo<std::string>& method) {
-    std::string name = method.param;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-}
 
 SceneDescription ball_on_the_ground(const std::string& method, Precision precision) {
     SceneDescription scene = level_sheet(16, 0.45);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "contact_scenes.h"
+#include "support/test_name.h"
 
 namespace weft::test {
 namespace {
@@ -66,12 +67,7 @@ TEST_P(Friction, LetsItSlideDownASteepOneAsCoulombSays) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Friction, testing::ValuesIn(methods_in_contact()),
-                         [](const auto& method) {
-                             std::string name = method.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Methods, Friction, testing::ValuesIn(methods_in_contact()), test_name);
 
 }  // namespace
 }  // namespace weft::test

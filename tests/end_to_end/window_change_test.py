@@ -23,8 +23,7 @@ class ChangeTest(WindowTest):
         """The scene that the window saves, as tomllib reads it."""
         window.see("ctrl+s")
         window.keep("save")
-        if not boxes_of(window.picture(), FILL, smallest=200):
-            window.hold("ctrl+a", lambda: boxes_of(window.picture(), FILL, smallest=200), "selection")
+        window.wait(lambda: boxes_of(window.picture(), FILL, smallest=200), "selected name")
         window.type(name)
         window.hold("Return", (self.place / name).exists, "saved scene")
         window.settle()
@@ -125,7 +124,8 @@ class TouchTest(ChangeTest):
         self.assertGreater(shift[0], 0.0, "to the right")
         self.assertGreater(shift[1], 0.0, "and up")
         self.assertEqual(moved["sphere"]["radius"], dropped["sphere"]["radius"])
-        window.see("ctrl+z", like=with_ball)
+        window.see("ctrl+z")
+        window.settle()
         window.key("p")
         window.settle()
         window.keep("sphere-and-plane")

@@ -179,7 +179,7 @@ class Window:
         return path
 
     def answered(self):
-        """Waits until a frame has been drawn with all that was pressed before. Not in a dialog."""
+        """Waits until a frame has been drawn with all that was pressed before."""
         self.screenshot().unlink()
 
     def dismiss(self):

@@ -58,9 +58,6 @@ class SceneFileTest(ChangeTest):
         window = self.window(self.small_scene())
         window.see("ctrl+o")
         window.keep("open")
-        # the path's field stands above the button
-        left, top, right, bottom = boxes_of(window.picture(), ACCENT, smallest=900)[0]
-        window.click(left + 60, top - 18)
         window.type("other.toml")
         window.keep("typed")
         window.hold("Return", lambda: window.title.startswith("Other - "), "other scene")
@@ -200,6 +197,19 @@ class MemoryTest(ChangeTest):
         self.assertLess(difference(written[:560], shown[:560]), 2 * NOISE)  # messages stand below
         report = window.close()
         self.assertEqual(len(report["files"]), 2)
+
+    def test_a_screenshot_is_taken_of_a_dialog(self):
+        window = self.window("flag")
+        for key in ("ctrl+o", "ctrl+s"):
+            plain = window.picture()
+            asking = window.see(key)
+            written = read_png(window.screenshot())
+            self.assertLess(difference(written, asking), difference(written, plain))
+            self.assertLess(difference(written[:560], asking[:560]), 2 * NOISE)
+            window.see("Escape")
+            window.key("Escape")
+            window.settle()
+        window.close()
 
     def test_what_was_set_is_there_the_next_time(self):
         window = self.window("flag")

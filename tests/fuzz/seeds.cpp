@@ -7,7 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <utility>
+
+#include "io/npy_format.h"
 
 namespace weft::fuzz {
 
@@ -61,12 +64,9 @@ std::string binary_ply(bool big_endian) {
     return bytes;
 }
 
-std::string numpy_state(const std::string& element) {
-    std::string text = "{'descr': '" + element + "', 'fortran_order': False, 'shape': (2, 4, 3), }";
-    text.resize(117, ' ');
-    std::string bytes("\x93NUMPY\x01\x00", 8);
-    append(bytes, static_cast<std::uint16_t>(text.size() + 1), false);
-    bytes += text + '\n';
+std::string numpy_state(std::string_view element) {
+    const Bytes head = npy_head(element, "2, 4, 3");
+    std::string bytes(reinterpret_cast<const char*>(head.data()), head.size());
     for (int n = 0; n < 24; ++n) {
         if (element == "<f8") append(bytes, 0.25 * n, false);
         if (element == "<f4") append(bytes, 0.25F * static_cast<float>(n), false);

@@ -294,6 +294,21 @@ TEST(StartState, OfAnotherClothIsRefused) {
               "start.state: a state of 175 particles is not allowed: this cloth has 176");
 }
 
+// What held the cloth up in the last step before.
+TEST(Settling, KnowsNothingOfObstaclesThatWereTakenAway) {
+    SceneDescription scene = flag("implicit-euler");
+    scene.wind.reset();
+    scene.obstacles = {{PlaneObstacle{{0.0, 1.2, 0.0}, {0.0, 1.0, 0.0}}, 0.4, 0.0}};
+    Simulation simulation(scene);
+    fly(simulation, 30);
+    scene.obstacles.clear();
+    Simulation anew = begun_anew(scene, simulation);
+    simulation.change_scene(scene);
+    EXPECT_TRUE(simulation.settle().converged);
+    EXPECT_TRUE(anew.settle().converged);
+    EXPECT_EQ(simulation.state_hash(), anew.state_hash());
+}
+
 TEST(Settling, AmongObstaclesIsRefused) {
     SceneDescription scene = flag("rk4");
     scene.obstacles = {ObstacleDescription{}};

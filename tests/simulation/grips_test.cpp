@@ -7,6 +7,7 @@
 #include "support/cloth_scenes.h"
 #include "support/methods.h"
 #include "support/scene_errors.h"
+#include "support/test_name.h"
 #include "weft/simulation.h"
 
 namespace weft::test {
@@ -56,6 +57,8 @@ TEST(Grips, HoldAParticleWhereTheSpringBearsItsWeight) {
     }
 }
 
+// The springs' sums round differently, and iterative solvers, which stop where they are near enough
+// (at 35 um here), answer that by more; a spring too much would be seen in centimetres.
 TEST(Grips, OfOneParticleAct) {
     SceneDescription scene = sheet("implicit-euler");
     Simulation one(scene), several(scene);
@@ -68,7 +71,7 @@ TEST(Grips, OfOneParticleAct) {
     one.capture(a);
     several.capture(b);
     for (std::size_t p = 0; p < a.positions.size(); ++p) {
-        ASSERT_LT(length(a.positions[p] - b.positions[p]), 1e-9);
+        ASSERT_LT(length(a.positions[p] - b.positions[p]), 1e-6);
     }
 }
 
@@ -114,11 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, GripMethods,
                          testing::Values("symplectic-euler", "velocity-verlet", "verlet", "rk4",
                                          "yoshida4", "dopri5", "implicit-euler", "tr-bdf2", "bdf2",
                                          "baraff-witkin", "xpbd", "vbd", "projective-dynamics"),
-                         [](const auto& method) {
-                             std::string name = method.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+                         test_name);
 
 TEST(Grips, ThatAreNoneLeaveEveryBit) {
     for (const char* method : {"velocity-verlet", "verlet", "dopri5", "bdf2", "tr-bdf2", "vbd"}) {

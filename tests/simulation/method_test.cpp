@@ -52,6 +52,20 @@ TEST(AutomaticMethod, HasNoReasonWhereTheSceneNamesIt) {
     EXPECT_EQ(simulation.method_reason(), "");
 }
 
+TEST(EveryMethod, LeavesParticlesThatNothingMoves) {
+    for (const IntegratorInfo& info : integrator_catalogue()) {
+        SceneDescription scene = bare_sheet(5, 5);
+        scene.material.structural = scene.material.shear = scene.material.bend = {0.0, 0.0};
+        scene.integrator.method = std::string(info.name);
+        scene.integrator.time_step = 1e-3;
+        Simulation simulation(scene);
+        const std::uint64_t start = simulation.state_hash();
+        const FrameReport report = simulation.advance_frame();
+        EXPECT_TRUE(report.ok()) << report.divergence->message;
+        EXPECT_EQ(simulation.state_hash(), start) << info.name;
+    }
+}
+
 // Contact acts between steps (docs/contact.md).
 TEST(AutomaticMethod, AmongObstaclesIsOfOneStageAndItsStepsShort) {
     SceneDescription scene = curtain(40, 40, 1e8);

@@ -1,8 +1,6 @@
 // A flight that is disturbed: other scenes, lanes, grips, resets, divergence.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "flying.h"
 
 namespace weft::viewer {

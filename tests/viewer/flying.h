@@ -5,7 +5,6 @@
 #include <memory>
 #include <stdexcept>
 #include <thread>
-#include <utility>
 
 #include "support/recording.h"
 #include "viewer/flight.h"

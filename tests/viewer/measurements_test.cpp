@@ -50,6 +50,27 @@ TEST(Measurements, BeginAnewAfterAResetAndWithOtherLanes) {
     EXPECT_EQ(measurements.lanes()[0].kinetic.values().size(), 1U);
 }
 
+TEST(Measurements, TakeTheStartOfASceneThatWasChangedThere) {
+    Measurements measurements;
+    measurements.add(view_at(0.0, 7.0));
+    measurements.add(view_at(0.0, 14.0));
+    EXPECT_EQ(measurements.lanes()[0].total.values().size(), 1U);
+    EXPECT_EQ(measurements.lanes()[0].first_gravity, 14.0);
+    EXPECT_EQ(measurements.lanes()[0].total.values()[0], 2.5F);
+}
+
+TEST(Measurements, TellWhereAFlightFallsBehind) {
+    FlightView view = view_at(0.0, 1.0);
+    view.playing = true;
+    view.speed = 2.0;
+    view.reached_speed = 1.7;
+    EXPECT_TRUE(falls_behind(view));
+    view.reached_speed = 1.9;
+    EXPECT_FALSE(falls_behind(view));
+    view.reached_speed = 0.0;  // not known yet
+    EXPECT_FALSE(falls_behind(view));
+}
+
 TEST(Measurements, SayNothingOfSpeedBeforeAFrameWasMade) {
     Measurements measurements;
     FlightView view = view_at(0.0, 1.0);

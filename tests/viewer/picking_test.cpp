@@ -17,10 +17,6 @@ namespace {
 
 constexpr float aspect = 1.6F;
 
-glm::dvec3 to_double(Vec3d v) {
-    return {v.x, v.y, v.z};
-}
-
 Camera camera_at(glm::vec3 eye, glm::vec3 target, float near_plane = 0.02F) {
     return {.eye = eye, .target = target, .near_plane = near_plane, .far_plane = 500.0F};
 }

@@ -116,6 +116,33 @@ TEST_F(WorkbenchTest, WhatTheFlightRefusesIsTakenBack) {
     refresh_until(bench, [&] { return bench.view().refusal.empty(); });
 }
 
+TEST_F(WorkbenchTest, ADragThatTheFlightRefusesLeavesTheEditBefore) {
+    Workbench bench(paused(small_flag()), settings_);
+    bench.set_parameter(*find_parameter("wind.velocity.x"), 7.0);
+    bench.end_gesture();
+    for (const double x : {50.0, 51.0, 52.0}) {
+        SceneDescription changed = bench.scene();
+        changed.pins.front().select = BoxSelection{{x, 50.0, 50.0}, {x + 0.5, 51.0, 51.0}};
+        bench.edit(changed, "pins");
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));  // so that each is refused
+    }
+    refresh_until(bench, [&] { return bench.refusal("pins") != nullptr; });
+    refresh_until(bench, [&] { return bench.view().refusal.empty(); });
+    EXPECT_EQ(bench.scene().wind->velocity.x, 7.0);
+    EXPECT_EQ(bench.view().scene.wind->velocity.x, 7.0);
+    EXPECT_TRUE(std::holds_alternative<EdgeSelection>(bench.scene().pins.front().select));
+}
+
+TEST_F(WorkbenchTest, ARecordingOverBeforeItWasSeenIsToldOf) {
+    Workbench bench(paused(small_flag()), settings_);
+    bench.start_recording("pc2", bench.render());
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    bench.stop_recording();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    refresh_until(bench, [&] { return !bench.playable().empty(); });
+    EXPECT_FALSE(bench.busy());
+}
+
 TEST_F(WorkbenchTest, LanesThatCannotFlyAreTakenBack) {
     SceneDescription scene = small_flag();
     scene.material.structural.damping = scene.material.shear.damping = 0.0;

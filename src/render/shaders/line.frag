@@ -1,7 +1,5 @@
 // A line with edges that fade over a pixel.
 
-uniform vec4 pixels;
-
 in vec4 colour;
 noperspective in float across;
 

@@ -1,7 +1,5 @@
 // A disc with a darker rim, so that it stands out from any ground.
 
-uniform vec4 pixels;
-
 in vec4 colour;
 
 layout(location = 0) out vec4 pixel;

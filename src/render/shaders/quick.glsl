@@ -11,11 +11,6 @@ vec3 encode_quickly(vec3 light) {
     return 1.0498 * sqrt(light) - 0.0285 * light;
 }
 
-vec3 dithered(vec3 encoded) {
-    float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-    return encoded + (noise - 0.5) / 255.0;
-}
-
 uniform sampler2DShadow shadow_map;
 
 // How much of the sun reaches a place of the shadow map: the mean of n taps, each of which is a
