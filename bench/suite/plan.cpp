@@ -20,7 +20,7 @@ namespace {
 constexpr std::array precisions{Precision::f32, Precision::f64};
 constexpr int target_repeats = 5;  // the others have three
 // weft's own work at the end of a frame is that of some steps: a frame must have many more.
-constexpr int fewest_evaluations_in_frame = 32, fewest_in_target = 96;
+constexpr int fewest_evaluations_in_frame = 32, fewest_in_target = 384;
 
 // Methods timed on all threads at every size; the others up to 256 x 256.
 bool is_principal(std::string_view method) {

@@ -130,7 +130,6 @@ struct PinDescription {
     friend bool operator==(const PinDescription&, const PinDescription&) = default;
 };
 
-/// What the cloth cannot enter, and rests on.
 struct SphereObstacle {
     Vec3d centre{0.0, 0.5, 0.0};  ///< [m]
     double radius = 0.25;         ///< [m]
@@ -142,6 +141,7 @@ struct PlaneObstacle {
     Vec3d normal{0.0, 1.0, 0.0};  ///< of any length but 0
     friend bool operator==(const PlaneObstacle&, const PlaneObstacle&) = default;
 };
+/// What the cloth cannot enter, and rests on.
 struct ObstacleDescription {
     std::variant<SphereObstacle, PlaneObstacle> shape;
     double friction = 0.4;  ///< Coulomb's coefficient, of rest and of sliding

@@ -13,6 +13,10 @@ namespace {
 // Particles worth a thread of their own: fewer take as long as waking the thread.
 constexpr std::size_t band_grain = 8192;
 
+std::size_t vector_bytes(InstructionSet set) {
+    return set == InstructionSet::avx512 ? 64 : set == InstructionSet::avx2 ? 32 : 16;
+}
+
 template <typename Real>
 GridFamilyConstants<Real> family_constants(const SpringMaterial& material, double factor,
                                            double rest_length) {
@@ -55,6 +59,8 @@ GridKernel<Real>::GridKernel(const ClothModel& cloth, const ForcesDescription& f
     pass_.gravity = vec3_cast<Real>(forces.gravity);
     pass_.air = wind.has_value();
     if (wind) pass_.air_constants = AirConstants<Real>(*wind);
+    strips_ = GridStripState<Real>(pass_.columns, pass_.rows, pass_.stride,
+                                   vector_bytes(set) / sizeof(Real));
     set_constants(cloth);
     cut_bands(threads);
 }
@@ -77,7 +83,7 @@ void GridKernel<Real>::set_constants(const ClothModel& cloth) {
                 family.along_column() ? family.spring_factor(i, 0, shape) / column_base : 1.0;
             factors_.column[n][i] = static_cast<Real>(column_base > 0.0 ? factor : 0.0);
         }
-        pass_.column_factors[n] = factors_.column[n].data();
+        factors_in_strips_.column[n] = strips_.in_strips(factors_.column[n]);
         if (factors_.column[n][0] != factors_.column[n][inner_column]) pass_.left_edge = true;
         for (std::size_t j = 0; j < shape.rows; ++j) {
             GridRowConstants<Real>& row = pass_.row_constants[pass_.row_kind(j)];
@@ -93,7 +99,8 @@ void GridKernel<Real>::set_constants(const ClothModel& cloth) {
     }
     factors_.triangle.assign(pass_.stride, Real{0});
     std::fill_n(factors_.triangle.begin(), shape.columns - 1, Real{1});
-    pass_.triangle_factors = factors_.triangle.data();
+    factors_in_strips_.triangle = strips_.in_strips(factors_.triangle);
+    follow_strips();
 }
 
 template <typename Real>
@@ -102,14 +109,17 @@ void GridKernel<Real>::cut_bands(int threads) {
     const std::size_t most = std::max<std::size_t>(pass_.rows * pass_.columns / band_grain, 1);
     const std::size_t count =
         std::min({static_cast<std::size_t>(std::max(threads, 1)), most, pass_.rows});
-    const std::size_t halo = count > 1 ? Band::halo_arrays * Band::halo_rows : 0;
-    const std::size_t rows_of_scratch = Band::line_count + halo;
-    scratch_ = Vec3Array<Real>((count * rows_of_scratch + 2) / 3 * pass_.stride);
+    const std::size_t lines = Band::line_count * pass_.stride;
+    const std::size_t halo =
+        count > 1
+            ? Band::halo_rows * std::max(Band::halo_arrays * pass_.stride, strips_.largest_row())
+            : 0;
+    scratch_ = LineAligned<Real>(count * (lines + halo));
     Real* next = scratch_.data();
     for (std::size_t n = 0; n < count; ++n) {
         Band band{n * pass_.rows / count, (n + 1) * pass_.rows / count, next, nullptr};
-        if (halo > 0) band.halo = next + Band::line_count * pass_.stride;
-        next += rows_of_scratch * pass_.stride;
+        if (halo > 0) band.halo = next + lines;
+        next += lines + halo;
         bands_.push_back(band);
     }
 }
@@ -122,17 +132,21 @@ void GridKernel<Real>::set_state(Vec3View<Real> x, Vec3View<Real> v) {
 
 template <typename Real>
 void GridKernel<Real>::copy_halo(const GridBand<Real>& band, std::size_t arrays) const {
-    for (std::size_t c = 0; c < arrays; ++c) {
-        const Real* const base = c < 3 ? pass_.x[c] : c < 6 ? pass_.v[c - 3] : pass_.a[c - 6];
-        const auto copy = [&](std::size_t j, std::size_t place) {
+    const auto copy = [&](std::size_t j) {
+        const std::size_t place = band.halo_place(j);
+        if (holds()) {
+            const std::size_t row = pass_.strips.row_size;
+            std::copy_n(pass_.strips.blocks + j * row, row, band.halo + place * row);
+            return;
+        }
+        for (std::size_t c = 0; c < arrays; ++c) {
+            const Real* const base = c < 3 ? pass_.x[c] : c < 6 ? pass_.v[c - 3] : pass_.a[c - 6];
             std::copy_n(base + j * pass_.stride, pass_.stride,
                         band.halo + (c * GridBand<Real>::halo_rows + place) * pass_.stride);
-        };
-        for (std::size_t n = 1; n <= 2 && n <= band.row_begin; ++n) copy(band.row_begin - n, 2 - n);
-        for (std::size_t n = 0; n < 2 && band.row_end + n < pass_.rows; ++n) {
-            copy(band.row_end + n, 2 + n);
         }
-    }
+    };
+    for (std::size_t n = 1; n <= 2 && n <= band.row_begin; ++n) copy(band.row_begin - n);
+    for (std::size_t n = 0; n < 2 && band.row_end + n < pass_.rows; ++n) copy(band.row_end + n);
 }
 
 template <typename Real>
@@ -185,6 +199,30 @@ void GridKernel<Real>::verlet(Vec3<Real> wind, double h, std::span<const PinTarg
     set_state(x, v);
     pass_.a = components(a);
     run_in_place(9);
+}
+
+template <typename Real>
+void GridKernel<Real>::hold(ConstVec3View<Real> x, ConstVec3View<Real> v, ConstVec3View<Real> a) {
+    if (!strips_.pays()) return;
+    strips_.take(x, v, pass_.inverse_masses, a);
+    follow_strips();
+}
+
+template <typename Real>
+void GridKernel<Real>::release(Vec3View<Real> x, Vec3View<Real> v, Vec3View<Real> a) {
+    if (!holds()) return;
+    strips_.give(x, v, a);
+    follow_strips();
+}
+
+template <typename Real>
+void GridKernel<Real>::follow_strips() {
+    pass_.strips = strips_.strips();
+    const Factors& factors = holds() ? factors_in_strips_ : factors_;
+    for (std::size_t n = 0; n < grid_family_count; ++n) {
+        pass_.column_factors[n] = factors.column[n].data();
+    }
+    pass_.triangle_factors = factors.triangle.data();
 }
 
 template class GridKernel<float>;

@@ -8,6 +8,8 @@
 
 #include "cloth/cloth_model.h"
 #include "forces/grid_pass.h"
+#include "forces/grid_strips.h"
+#include "math/line_aligned.h"
 #include "math/vec3_array.h"
 
 namespace weft {
@@ -30,6 +32,16 @@ public:
     /// v += kick a(x, v), then x += drift v, in one sweep.
     void kick_drift(Vec3<Real> wind, double kick, double drift, Vec3View<Real> x, Vec3View<Real> v);
 
+    /// Takes a state into strips (GridStrips), if kick_drift() and verlet() are faster on these.
+    /// From then on they move what was taken, whatever arrays they are given, until release()
+    /// gives it back. The bits are those of steps on arrays. The first call allocates.
+    /// @param a of verlet(); for kick_drift() it has no size.
+    void hold(ConstVec3View<Real> x, ConstVec3View<Real> v, ConstVec3View<Real> a);
+    void release(Vec3View<Real> x, Vec3View<Real> v, Vec3View<Real> a);
+    [[nodiscard]] bool holds() const { return strips_.strips().blocks != nullptr; }
+    /// Puts a particle that is held.
+    void put(std::size_t slot, Vec3<Real> x, Vec3<Real> v) const { strips_.put(slot, x, v); }
+
     /// One step h of velocity Verlet (integrators/verlet.h) in one sweep, where `a` holds the
     /// acceleration that the last step ended with.
     /// @param pins where moving pins are at the step's end, by rising slot.
@@ -46,13 +58,15 @@ private:
     void cut_bands(int threads);
     void set_state(Vec3View<Real> x, Vec3View<Real> v);
     void run_in_place(std::size_t arrays);
+    void follow_strips();
     void copy_halo(const GridBand<Real>& band, std::size_t arrays) const;
 
     GridPass<Real> pass_;
     GridPassFunction<Real> function_;
-    Factors factors_;
+    Factors factors_, factors_in_strips_;
     std::vector<GridBand<Real>> bands_;
-    Vec3Array<Real> scratch_;  // lines and halos of all bands
+    LineAligned<Real> scratch_;  // lines and halos of all bands
+    GridStripState<Real> strips_;
 };
 
 extern template class GridKernel<float>;

@@ -54,6 +54,32 @@ struct PinTarget {
     Vec3<Real> x{}, v{};
 };
 
+/// Another order in memory, for a state that is larger than the caches next to the core. A row's
+/// columns are cut into as many strips as a vector has lanes: lane l of vector n is column
+/// l length + n, so that what stands n columns on is n vectors on, in the same lane, and needs no
+/// shuffle (Henretty et al., Data layout transformation for stencil computations on short-vector
+/// SIMD architectures, CC 2011). A vector's particles and all that moves them are a block of lines:
+/// x, y, z, vx, vy, vz, 1/m, and for velocity Verlet ax, ay, az; so a row is one stream of memory.
+/// Two blocks after a row's last hold what stands right of it, the first two a lane down.
+template <typename Real>
+struct GridStrips {
+    static constexpr std::size_t blocks_beyond = 2;
+    static constexpr std::size_t lines_of(GridUpdate update) {
+        return update == GridUpdate::verlet ? 10 : 7;
+    }
+
+    /// Numbers from a row to the next. Rows are never a whole number of pages apart: a store to one
+    /// would seem to touch the next.
+    static constexpr std::size_t size_of_row(std::size_t length, std::size_t block) {
+        const std::size_t size = (length + blocks_beyond) * block;
+        return size * sizeof(Real) % 4096 == 0 ? size + block : size;
+    }
+
+    Real* blocks = nullptr;    ///< not null: the pass moves these in place of x, v and a
+    std::size_t length = 0;    ///< columns of a strip, vectors of a row
+    std::size_t row_size = 0;  ///< size_of_row()
+};
+
 /// Everything a pass needs; views and pointers belong to others.
 template <typename Real>
 struct GridPass {
@@ -74,6 +100,7 @@ struct GridPass {
     GridUpdate update = GridUpdate::acceleration;
     Real kick = 0, drift = 0;  ///< of kick_drift; of verlet: kick is h [s]
     std::array<Real*, 3> x{}, v{}, a{};
+    GridStrips<Real> strips;
     const PinTarget<Real>* pins = nullptr;  ///< moving pins by rising slot; verlet only
     std::size_t pin_count = 0;
 
@@ -93,8 +120,13 @@ struct GridBand {
     std::size_t row_begin = 0, row_end = 0;
     Real* lines = nullptr;  ///< [line_count][stride]
     /// [halo_arrays][halo_rows][stride], the rows around the band before the pass; nullptr: the
-    /// band is the whole grid, or the pass moves nothing.
+    /// band is the whole grid, or the pass moves nothing. Of strips: [halo_rows][row_size].
     Real* halo = nullptr;
+
+    /// Where row j, one of those around the band, stands in the halo.
+    [[nodiscard]] std::size_t halo_place(std::size_t j) const {
+        return j < row_begin ? j + 2 - row_begin : j - row_end + 2;
+    }
 };
 
 template <typename Real>

@@ -39,6 +39,18 @@ void Composition<Real>::prepare(DynamicsSystem<Real>& system) {
     a_ = Vec3Array<Real>(system.kick_drift_pass() != nullptr ? 0 : system.slot_count());
 }
 
+// Only the system's pass moves what is held: a drift without a kick before it would not.
+template <typename Real>
+void Composition<Real>::begin(DynamicsSystem<Real>& system, const ParticleState<Real>& state) {
+    if (system.kick_drift_pass() == nullptr || table_.stage[0].drift != 0.0) return;
+    system.hold(state.x.view(), state.v.view(), {});
+}
+
+template <typename Real>
+void Composition<Real>::finish(DynamicsSystem<Real>& system, ParticleState<Real>& state) {
+    system.release(state.x.view(), state.v.view(), {});
+}
+
 template <typename Real>
 void Composition<Real>::drift(double h, ParticleState<Real>& state) const {
     if (h == 0.0) return;

@@ -34,6 +34,8 @@ public:
     explicit Composition(const CompositionTable& table) : table_(table) {}
     void prepare(DynamicsSystem<Real>& system) override;
     StepReport step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
+    void begin(DynamicsSystem<Real>& system, const ParticleState<Real>& state) override;
+    void finish(DynamicsSystem<Real>& system, ParticleState<Real>& state) override;
 
 private:
     void drift(double h, ParticleState<Real>& state) const;

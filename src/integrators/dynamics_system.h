@@ -80,6 +80,14 @@ public:
     [[nodiscard]] virtual KickDriftPass<Real>* kick_drift_pass() { return nullptr; }
     [[nodiscard]] virtual VerletPass<Real>* verlet_pass() { return nullptr; }
 
+    /// Takes the state of the steps that follow, where its passes are faster with another order in
+    /// memory. Until release() gives it back, constrain() and the passes move what was taken, to
+    /// the same bits and whatever arrays they are given; nothing else may be asked for.
+    /// @param a what verlet() keeps; without size for kick_drift().
+    virtual void hold(ConstVec3View<Real> /*x*/, ConstVec3View<Real> /*v*/,
+                      ConstVec3View<Real> /*a*/) {}
+    virtual void release(Vec3View<Real> /*x*/, Vec3View<Real> /*v*/, Vec3View<Real> /*a*/) {}
+
     /// For implicit methods, which need it; made at the first call.
     [[nodiscard]] virtual ImplicitSystem* implicit_system() { return nullptr; }
 

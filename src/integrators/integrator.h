@@ -33,8 +33,8 @@ class Integrator {
 public:
     virtual ~Integrator() = default;
 
-    /// Sizes the work arrays as the system's states; nothing else allocates. What is zero in x, v
-    /// and every acceleration, as padding is, stays zero.
+    /// Sizes the work arrays as the system's states; nothing else allocates but the first begin().
+    /// What is zero in x, v and every acceleration, as padding is, stays zero.
     virtual void prepare(DynamicsSystem<Real>& system) = 0;
 
     /// Advances `state` from t to t + dt; adaptive methods do so in steps of their own. On failure
@@ -42,6 +42,11 @@ public:
     /// @pre dt > 0 and finite [s]; prepare() ran for this system.
     virtual StepReport step(DynamicsSystem<Real>& system, double dt,
                             ParticleState<Real>& state) = 0;
+
+    /// Says that until finish() nobody but step(), always with this system and state, looks at the
+    /// state's arrays: the system may hold them meanwhile (DynamicsSystem::hold).
+    virtual void begin(DynamicsSystem<Real>& /*system*/, const ParticleState<Real>& /*state*/) {}
+    virtual void finish(DynamicsSystem<Real>& /*system*/, ParticleState<Real>& /*state*/) {}
 
     /// What its steps took since prepare().
     [[nodiscard]] virtual SolverCounts counts() const { return {}; }
@@ -57,6 +62,25 @@ public:
     };
     virtual void save(History& history) const { history = {}; }
     virtual void restore(const History&) {}
+};
+
+/// begin() now, finish() at the end of the scope.
+template <typename Real>
+class UnseenSteps {
+public:
+    UnseenSteps(Integrator<Real>& integrator, DynamicsSystem<Real>& system,
+                ParticleState<Real>& state)
+        : integrator_(integrator), system_(system), state_(state) {
+        integrator.begin(system, state);
+    }
+    UnseenSteps(const UnseenSteps&) = delete;
+    UnseenSteps& operator=(const UnseenSteps&) = delete;
+    ~UnseenSteps() { integrator_.finish(system_, state_); }
+
+private:
+    Integrator<Real>& integrator_;
+    DynamicsSystem<Real>& system_;
+    ParticleState<Real>& state_;
 };
 
 /// What a user may set of a method; each reads what concerns it.

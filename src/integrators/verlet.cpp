@@ -85,12 +85,28 @@ void VelocityVerlet<Real>::restore(const History& history) {
 }
 
 template <typename Real>
+void VelocityVerlet<Real>::start(DynamicsSystem<Real>& system, const ParticleState<Real>& state) {
+    if (started_) return;
+    system.acceleration(state.time, state.x.view(), state.v.view(), a_.view());
+    started_ = true;
+}
+
+template <typename Real>
+void VelocityVerlet<Real>::begin(DynamicsSystem<Real>& system, const ParticleState<Real>& state) {
+    if (system.verlet_pass() == nullptr) return;
+    start(system, state);
+    system.hold(state.x.view(), state.v.view(), std::as_const(a_).view());
+}
+
+template <typename Real>
+void VelocityVerlet<Real>::finish(DynamicsSystem<Real>& system, ParticleState<Real>& state) {
+    system.release(state.x.view(), state.v.view(), a_.view());
+}
+
+template <typename Real>
 StepReport VelocityVerlet<Real>::step(DynamicsSystem<Real>& system, double dt,
                                       ParticleState<Real>& state) {
-    if (!started_) {
-        system.acceleration(state.time, state.x.view(), state.v.view(), a_.view());
-        started_ = true;
-    }
+    start(system, state);
     if (VerletPass<Real>* const pass = system.verlet_pass()) {
         pass->verlet(state.time, dt, state.x.view(), state.v.view(), a_.view());
         state.time += dt;

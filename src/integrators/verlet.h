@@ -51,6 +51,8 @@ public:
 
     void prepare(DynamicsSystem<Real>& system) override;
     StepReport step(DynamicsSystem<Real>& system, double dt, ParticleState<Real>& state) override;
+    void begin(DynamicsSystem<Real>& system, const ParticleState<Real>& state) override;
+    void finish(DynamicsSystem<Real>& system, ParticleState<Real>& state) override;
     void restart() override { started_ = false; }
     void save(History& history) const override {
         history.arrays.resize(1);
@@ -60,6 +62,8 @@ public:
     void restore(const History& history) override;
 
 private:
+    void start(DynamicsSystem<Real>& system, const ParticleState<Real>& state);
+
     bool started_ = false;
     Vec3Array<Real> a_, a_next_;  // a_next_: where the system has no pass of its own
 };

@@ -171,12 +171,19 @@ void ClothSystem<Real>::verlet(double t, double h, Vec3View<Real> x, Vec3View<Re
 
 template <typename Real>
 void ClothSystem<Real>::constrain(double t, Vec3View<Real> x, Vec3View<Real> v) const {
+    const bool held = grid_kernel_ && grid_kernel_->holds();
     for (const Pin& pin : cloth_.pins) {
         PinOffset offset;
         if (pin.motion != Pin::no_motion) offset = pin_offset(cloth_.motions[pin.motion], t);
         const std::size_t slot = cloth_.slot(pin.particle);
-        x.set(slot, vec3_cast<Real>(pin.rest + offset.offset));
-        v.set(slot, vec3_cast<Real>(offset.velocity));
+        const auto place = vec3_cast<Real>(pin.rest + offset.offset);
+        const auto velocity = vec3_cast<Real>(offset.velocity);
+        if (held) {
+            grid_kernel_->put(slot, place, velocity);
+        } else {
+            x.set(slot, place);
+            v.set(slot, velocity);
+        }
     }
 }
 

@@ -40,6 +40,12 @@ public:
         return grid_kernel_ || mesh_kernel_ ? this : nullptr;
     }
     [[nodiscard]] VerletPass<Real>* verlet_pass() override { return grid_kernel_ ? this : nullptr; }
+    void hold(ConstVec3View<Real> x, ConstVec3View<Real> v, ConstVec3View<Real> a) override {
+        if (grid_kernel_) grid_kernel_->hold(x, v, a);
+    }
+    void release(Vec3View<Real> x, Vec3View<Real> v, Vec3View<Real> a) override {
+        if (grid_kernel_) grid_kernel_->release(x, v, a);
+    }
     [[nodiscard]] ClothImplicitSystem* implicit_system() override;
     /// The next implicit_system() is made anew, with the scene's linear solver of then.
     void forget_implicit_system() { implicit_system_.reset(); }

@@ -20,6 +20,10 @@ public:
     void set_obstacles(std::span<const ObstacleDescription> obstacles) { contact_.set(obstacles); }
     /// Of obstacles.
     [[nodiscard]] bool is_free() const { return contact_.empty(); }
+    /// Whether it looks at the state between steps.
+    [[nodiscard]] bool looks(const ClothSystem<Real>& system) const {
+        return !contact_.empty() || !system.grips().empty();
+    }
     /// @param info of the integrator. An implicit method has the system's grips in its equations;
     /// one of a single stage, which goes by where it ends alone, also what holds up the cloth on
     /// obstacles: how far that yields is then how hard the cloth presses.

@@ -50,7 +50,7 @@ double logarithm_of_growth(std::string_view method, double omega_dt, double zeta
 
 // The growth of the real stepper is amplification() to the power of the steps made: at 0.99 of the
 // limit it decays (undamped: stays), at 1.01 it blows up.
-TEST(StabilityLimit, RunsAt99AndBlowsUpAt101HundredthsOfIt) {
+TEST(SlowStabilityLimit, RunsAt99AndBlowsUpAt101HundredthsOfIt) {
     for (const IntegratorInfo& info : explicit_methods()) {
         for (const double zeta : damping_ratios) {
             const double limit = stability_limit(info.name, zeta);

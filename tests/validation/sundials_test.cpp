@@ -100,7 +100,7 @@ const std::vector<Contender> contenders{
     {"sdirk2", frame / 600, 1e-11, 1e-6},
 };
 
-class Sundials : public ::testing::Test {
+class SlowSundials : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
         const SceneDescription scene = hung_in_wind();
@@ -110,7 +110,7 @@ protected:
     static inline Values start_, end_;
 };
 
-TEST_F(Sundials, IsSureOfItsSolution) {
+TEST_F(SlowSundials, IsSureOfItsSolution) {
     const Values looser = Cvode(naive_slope(hung_in_wind()), 1e-10)(0.0, end_time, start_);
     double difference = 0.0, way = 0.0;
     for (std::size_t n = 0; n < start_.size() / 2; ++n) {
@@ -121,7 +121,7 @@ TEST_F(Sundials, IsSureOfItsSolution) {
     EXPECT_GT(way, 0.3);  // [m]: the cloth has moved
 }
 
-TEST_F(Sundials, HasTheSameClothInTheWind) {
+TEST_F(SlowSundials, HasTheSameClothInTheWind) {
     const SceneDescription scene = hung_in_wind();
     const ClothModel cloth = build_cloth(scene);
     for (const Contender& contender : contenders) {
