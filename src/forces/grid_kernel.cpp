@@ -109,7 +109,7 @@ void GridKernel<Real>::cut_bands(int threads) {
     const std::size_t most = std::max<std::size_t>(pass_.rows * pass_.columns / band_grain, 1);
     const std::size_t count =
         std::min({static_cast<std::size_t>(std::max(threads, 1)), most, pass_.rows});
-    const std::size_t lines = Band::line_count * pass_.stride;
+    const std::size_t lines = 2 * Band::line_count * pass_.stride;
     const std::size_t halo =
         count > 1
             ? Band::halo_rows * std::max(Band::halo_arrays * pass_.stride, strips_.largest_row())
@@ -180,12 +180,21 @@ void GridKernel<Real>::accelerate(Vec3<Real> wind, ConstVec3View<Real> x, ConstV
 template <typename Real>
 void GridKernel<Real>::kick_drift(Vec3<Real> wind, double kick, double drift, Vec3View<Real> x,
                                   Vec3View<Real> v) {
-    pass_.update = GridUpdate::kick_drift;
-    pass_.wind = wind;
-    pass_.kick = static_cast<Real>(kick);
-    pass_.drift = static_cast<Real>(drift);
+    GridPass<Real>& pass = waits_ ? second_ : pass_;
+    if (waits_) second_ = pass_;
+    pass.update = GridUpdate::kick_drift;
+    pass.wind = wind;
+    pass.kick = static_cast<Real>(kick);
+    pass.drift = static_cast<Real>(drift);
     set_state(x, v);
+    if (holds() && joins_ && !waits_) {
+        waits_ = true;
+        return;
+    }
+    if (waits_) pass_.second = &second_;
     run_in_place(6);
+    pass_.second = nullptr;
+    waits_ = false;
 }
 
 template <typename Real>
@@ -202,8 +211,10 @@ void GridKernel<Real>::verlet(Vec3<Real> wind, double h, std::span<const PinTarg
 }
 
 template <typename Real>
-void GridKernel<Real>::hold(ConstVec3View<Real> x, ConstVec3View<Real> v, ConstVec3View<Real> a) {
+void GridKernel<Real>::hold(ConstVec3View<Real> x, ConstVec3View<Real> v, ConstVec3View<Real> a,
+                            bool pins_rest) {
     if (!strips_.pays()) return;
+    joins_ = pins_rest && bands_.size() == 1;
     strips_.take(x, v, pass_.inverse_masses, a);
     follow_strips();
 }
@@ -211,6 +222,8 @@ void GridKernel<Real>::hold(ConstVec3View<Real> x, ConstVec3View<Real> v, ConstV
 template <typename Real>
 void GridKernel<Real>::release(Vec3View<Real> x, Vec3View<Real> v, Vec3View<Real> a) {
     if (!holds()) return;
+    if (waits_) run_in_place(6);
+    waits_ = false;
     strips_.give(x, v, a);
     follow_strips();
 }

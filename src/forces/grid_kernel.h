@@ -36,7 +36,9 @@ public:
     /// From then on they move what was taken, whatever arrays they are given, until release()
     /// gives it back. The bits are those of steps on arrays. The first call allocates.
     /// @param a of verlet(); for kick_drift() it has no size.
-    void hold(ConstVec3View<Real> x, ConstVec3View<Real> v, ConstVec3View<Real> a);
+    /// @param pins_rest nobody puts a particle meanwhile: then kick_drift() may wait for the next
+    /// one, to do both in one sweep.
+    void hold(ConstVec3View<Real> x, ConstVec3View<Real> v, ConstVec3View<Real> a, bool pins_rest);
     void release(Vec3View<Real> x, Vec3View<Real> v, Vec3View<Real> a);
     [[nodiscard]] bool holds() const { return strips_.strips().blocks != nullptr; }
     /// Puts a particle that is held.
@@ -67,6 +69,9 @@ private:
     std::vector<GridBand<Real>> bands_;
     LineAligned<Real> scratch_;  // lines and halos of all bands
     GridStripState<Real> strips_;
+    GridPass<Real> second_;
+    bool joins_ = false;  // two passes to one sweep
+    bool waits_ = false;  // pass_, for a second
 };
 
 extern template class GridKernel<float>;

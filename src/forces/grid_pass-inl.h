@@ -322,14 +322,47 @@ HWY_NOINLINE void sweep_rows(const GridPass<hn::TFromD<D>>& pass,
     }
 }
 
+// One row of a grid in strips. (A function by itself: so the compiler has all registers for it.)
+template <class D, class Rows, bool damped, bool air>
+HWY_NOINLINE void kick_drift_row(const GridPass<hn::TFromD<D>>& pass, const Rows& rows,
+                                 hn::TFromD<D>* lines, std::size_t j) {
+    RowSweep<D, Rows, damped, air, GridUpdate::kick_drift, true>(pass, rows, lines, j, true)
+        .sweep();
+    rows.close(j);
+}
+
+// Two passes in one sweep (GridPass::second).
+template <class D, class Rows, bool damped, bool air>
+HWY_INLINE void sweep_twice(const GridPass<hn::TFromD<D>>& pass,
+                            const GridBand<hn::TFromD<D>>& band) {
+    using T = hn::TFromD<D>;
+    const Rows rows(pass, band);
+    const std::size_t lines = GridBand<T>::line_count * pass.stride;
+    std::fill_n(band.lines, 2 * lines, T{0});
+    for (std::size_t j = 0; j < pass.rows + 2; ++j) {
+        if (j < pass.rows) kick_drift_row<D, Rows, damped, air>(pass, rows, band.lines, j);
+        if (j < 2) continue;
+        kick_drift_row<D, Rows, damped, air>(*pass.second, rows, band.lines + lines, j - 2);
+    }
+}
+
+template <class D, class Rows, bool damped, bool air, GridUpdate update, typename Pass,
+          typename Band>
+HWY_INLINE void sweep_once_or_twice(const Pass& pass, const Band& band) {
+    if constexpr (Rows::in_strips && update == GridUpdate::kick_drift) {
+        if (pass.second != nullptr) return sweep_twice<D, Rows, damped, air>(pass, band);
+    }
+    sweep_rows<D, Rows, damped, air, update>(pass, band);
+}
+
 template <class D, class Rows, GridUpdate update, typename Pass, typename Band>
 HWY_INLINE void sweep_with(const Pass& pass, const Band& band) {
     if (pass.air) {
-        sweep_rows<D, Rows, true, true, update>(pass, band);
+        sweep_once_or_twice<D, Rows, true, true, update>(pass, band);
     } else if (pass.damped) {
-        sweep_rows<D, Rows, true, false, update>(pass, band);
+        sweep_once_or_twice<D, Rows, true, false, update>(pass, band);
     } else {
-        sweep_rows<D, Rows, false, false, update>(pass, band);
+        sweep_once_or_twice<D, Rows, false, false, update>(pass, band);
     }
 }
 

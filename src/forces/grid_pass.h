@@ -99,6 +99,10 @@ struct GridPass {
     Vec3<Real> wind{};  ///< [m/s]
     GridUpdate update = GridUpdate::acceleration;
     Real kick = 0, drift = 0;  ///< of kick_drift; of verlet: kick is h [s]
+    /// Not null: the same with the next wind, kick and drift, to be done in the same sweep, two
+    /// rows behind, so that the state comes from far once for both. Only of kick_drift in strips,
+    /// on one band.
+    const GridPass* second = nullptr;
     std::array<Real*, 3> x{}, v{}, a{};
     GridStrips<Real> strips;
     const PinTarget<Real>* pins = nullptr;  ///< moving pins by rising slot; verlet only
@@ -118,7 +122,7 @@ struct GridBand {
     static constexpr std::size_t line_count = 9;   ///< three rows of three components
 
     std::size_t row_begin = 0, row_end = 0;
-    Real* lines = nullptr;  ///< [line_count][stride]
+    Real* lines = nullptr;  ///< [line_count][stride], and of a second pass as many
     /// [halo_arrays][halo_rows][stride], the rows around the band before the pass; nullptr: the
     /// band is the whole grid, or the pass moves nothing. Of strips: [halo_rows][row_size].
     Real* halo = nullptr;

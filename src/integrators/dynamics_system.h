@@ -84,6 +84,7 @@ public:
     /// memory. Until release() gives it back, constrain() and the passes move what was taken, to
     /// the same bits and whatever arrays they are given; nothing else may be asked for.
     /// @param a what verlet() keeps; without size for kick_drift().
+    /// @pre constrain() was called for this time.
     virtual void hold(ConstVec3View<Real> /*x*/, ConstVec3View<Real> /*v*/,
                       ConstVec3View<Real> /*a*/) {}
     virtual void release(Vec3View<Real> /*x*/, Vec3View<Real> /*v*/, Vec3View<Real> /*a*/) {}

@@ -172,6 +172,7 @@ void ClothSystem<Real>::verlet(double t, double h, Vec3View<Real> x, Vec3View<Re
 template <typename Real>
 void ClothSystem<Real>::constrain(double t, Vec3View<Real> x, Vec3View<Real> v) const {
     const bool held = grid_kernel_ && grid_kernel_->holds();
+    if (held && cloth_.motions.empty()) return;  // nothing moves a pin that rests
     for (const Pin& pin : cloth_.pins) {
         PinOffset offset;
         if (pin.motion != Pin::no_motion) offset = pin_offset(cloth_.motions[pin.motion], t);

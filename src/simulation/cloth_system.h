@@ -41,7 +41,7 @@ public:
     }
     [[nodiscard]] VerletPass<Real>* verlet_pass() override { return grid_kernel_ ? this : nullptr; }
     void hold(ConstVec3View<Real> x, ConstVec3View<Real> v, ConstVec3View<Real> a) override {
-        if (grid_kernel_) grid_kernel_->hold(x, v, a);
+        if (grid_kernel_) grid_kernel_->hold(x, v, a, cloth_.motions.empty());
     }
     void release(Vec3View<Real> x, Vec3View<Real> v, Vec3View<Real> a) override {
         if (grid_kernel_) grid_kernel_->release(x, v, a);
